@@ -1,0 +1,63 @@
+use std::path::PathBuf;
+
+/// Input that cannot be answered: it says what is wrong, where, and what would be right.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{file}: {place}: {what}{}; {expected}", self.others())]
+pub struct BadInput {
+    /// The file, as it was named; `-` is stdin.
+    pub file: String,
+    /// The line, row or element, for example `line 12` or `row 3 (counting from 0)`.
+    pub place: String,
+    /// What is wrong there.
+    pub what: String,
+    /// How many more places are wrong in the same way.
+    pub more: usize,
+    /// What would be right.
+    pub expected: String,
+}
+
+impl BadInput {
+    fn others(&self) -> String {
+        match self.more {
+            0 => String::new(),
+            n => format!(" (the first of {})", n + 1),
+        }
+    }
+}
+
+/// Why a file could not be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The content is bad: exit code 5.
+    #[error(transparent)]
+    Bad(#[from] Box<BadInput>),
+    /// The input could not be opened: exit code 5.
+    #[error("{}: cannot be opened: {source}; give a file that exists and can be read", path.display())]
+    Open {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// Reading or writing failed under way: exit code 1.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+}
+
+impl Error {
+    /// A [`BadInput`] with nothing more wrong than the one place.
+    pub fn bad(
+        file: impl Into<String>,
+        place: impl Into<String>,
+        what: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Self {
+        let (file, place, what, expected) = (file.into(), place.into(), what.into(), expected.into());
+        Self::Bad(Box::new(BadInput { file, place, what, more: 0, expected }))
+    }
+}

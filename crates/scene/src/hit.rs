@@ -1,0 +1,35 @@
+use bytemuck::{Pod, Zeroable};
+
+/// The `primitive` of a ray that hits nothing.
+pub const MISS: u32 = u32::MAX;
+
+/// Where a ray first meets the scene. 16 bytes, as on the device.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Hit {
+    /// The parameter on the ray, in multiples of its direction; infinite for a miss.
+    pub t: f32,
+    /// The weight of the triangle's second vertex; 0 on a sphere.
+    pub u: f32,
+    /// The weight of the triangle's third vertex; 0 on a sphere.
+    pub v: f32,
+    /// The flat number of the primitive (see [`Scene::locate`](crate::Scene::locate)), or [`MISS`].
+    pub primitive: u32,
+}
+
+impl Hit {
+    /// The answer to a ray that hits nothing.
+    pub const MISS: Self = Self { t: f32::INFINITY, u: 0.0, v: 0.0, primitive: MISS };
+
+    /// Whether the ray hit something.
+    #[must_use]
+    pub const fn is_hit(&self) -> bool {
+        self.primitive != MISS
+    }
+
+    /// Whether two answers are the same in every bit.
+    #[must_use]
+    pub fn same_bits(&self, other: &Self) -> bool {
+        bytemuck::bytes_of(self) == bytemuck::bytes_of(other)
+    }
+}

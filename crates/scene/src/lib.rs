@@ -1,0 +1,38 @@
+//! What there is: rays, spheres, triangles, scenes and cameras, and the files they are read from.
+//!
+//! A [`Scene`] is a list of geometries, each a mesh or a table of spheres. A [`Ray`] asks where it first meets one
+//! of them, and a [`Hit`] answers. Everything is `f32`, taken as exact: "the exact answer" means real arithmetic on
+//! the stored numbers.
+//!
+//! ```
+//! use glam::Vec3;
+//! use rayproof_scene::{Ray, Sphere, Triangle};
+//!
+//! // A sphere is the implicit surface f(p) = (p - c).(p - c) - r^2 = 0 ...
+//! let sphere = Sphere { center: Vec3::ZERO, radius: 5.0 };
+//! assert_eq!(sphere.f(Vec3::new(3.0, 4.0, 0.0)), 0.0);
+//!
+//! // ... a triangle lies on the parametric plane f(u, v) = a + u (b - a) + v (c - a) ...
+//! let triangle = Triangle { a: Vec3::ZERO, b: Vec3::X, c: Vec3::Y };
+//! assert_eq!(triangle.point(0.25, 0.5), Vec3::new(0.25, 0.5, 0.0));
+//!
+//! // ... and a ray is p(t) = e + t d.
+//! let ray = Ray::new(Vec3::new(0.25, 0.5, 2.0), -Vec3::Z);
+//! assert_eq!(ray.at(2.0), triangle.point(0.25, 0.5));
+//! ```
+
+mod camera;
+mod error;
+mod hit;
+mod ray;
+mod scene;
+mod sphere;
+mod triangle;
+
+pub use camera::Camera;
+pub use error::{BadInput, Error};
+pub use hit::{Hit, MISS};
+pub use ray::{Ray, RayFault};
+pub use scene::{Geometry, Mesh, Primitive, Scene};
+pub use sphere::Sphere;
+pub use triangle::Triangle;

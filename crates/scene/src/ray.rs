@@ -1,0 +1,66 @@
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+/// The ray `p(t) = origin + t direction` for `t_min <= t <= t_max`, both ends included. 32 bytes, as on the device.
+///
+/// `direction` has any non-zero length and `t` is in multiples of it. `t_min` and `t_max` may be infinite; nothing
+/// else may.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Ray {
+    /// Where the ray starts, `e`.
+    pub origin: Vec3,
+    /// The smallest `t` that counts.
+    pub t_min: f32,
+    /// Where the ray goes, `d`.
+    pub direction: Vec3,
+    /// The largest `t` that counts.
+    pub t_max: f32,
+}
+
+impl Ray {
+    /// The ray from `origin` along `direction` over `0 <= t <= inf`.
+    #[must_use]
+    pub const fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self { origin, t_min: 0.0, direction, t_max: f32::INFINITY }
+    }
+
+    /// The point `p(t) = e + t d`, rounded.
+    #[must_use]
+    pub fn at(&self, t: f32) -> Vec3 {
+        self.origin + self.direction * t
+    }
+
+    /// Why this ray is not one, or `None` where it is.
+    #[must_use]
+    pub fn fault(&self) -> Option<RayFault> {
+        if !self.origin.is_finite() {
+            Some(RayFault::Origin)
+        } else if !self.direction.is_finite() {
+            Some(RayFault::Direction)
+        } else if self.direction == Vec3::ZERO {
+            Some(RayFault::ZeroDirection)
+        } else if self.t_min.is_nan() || self.t_max.is_nan() || self.t_min > self.t_max {
+            Some(RayFault::Range)
+        } else {
+            None
+        }
+    }
+}
+
+/// What can be wrong with a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RayFault {
+    /// A NaN or an infinity in the origin.
+    #[error("the origin is not finite; give three finite numbers")]
+    Origin,
+    /// A NaN or an infinity in the direction.
+    #[error("the direction is not finite; give three finite numbers")]
+    Direction,
+    /// All three components of the direction are zero.
+    #[error("the direction is zero; give it any length but zero")]
+    ZeroDirection,
+    /// A NaN in the range, or `t_min > t_max`.
+    #[error("the range is empty or not a number; give t_min <= t_max (either may be infinite)")]
+    Range,
+}
