@@ -1,1 +1,3 @@
-fn main(){}
+//! Where the device, the CPU engine and the oracle meet. One binary; each module asks one question.
+
+mod smoke;

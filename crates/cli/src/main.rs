@@ -1,1 +1,42 @@
-fn main(){}
+//! `rayproof`: shoot rays at a scene from the command line, and learn how far each answer can be trusted.
+
+mod answer;
+mod args;
+mod bounce;
+mod check;
+mod color;
+mod diffuse;
+mod exit;
+mod interrupt;
+mod intersect;
+mod legend;
+mod parse;
+mod picture;
+mod pipeline;
+mod progress;
+mod random;
+mod rays;
+mod render;
+mod sample;
+mod shade;
+mod source;
+mod summary;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+
+fn main() -> ExitCode {
+    let started = std::time::Instant::now();
+    let cli = args::Cli::parse();
+    interrupt::install();
+    let done = match &cli.command {
+        args::Command::Intersect(args) => intersect::run(args, started),
+        args::Command::Rays(args) => rays::run(args),
+        args::Command::Render(args) => render::run(args),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,1 +1,38 @@
-//! x
+//! How the CPU answers: a twin of every kernel in `shaders/`, on all cores.
+//!
+//! A twin has its kernel's path and names and does the same operations in the same order, so that its answers equal the
+//! device's in every bit wherever the device's arithmetic is IEEE. The derivations stand in the WGSL headers.
+//!
+//! [`Engine`] holds a scene's tree; [`Engine::closest`] and [`Engine::any`] answer batches of rays.
+//!
+//! ```
+//! use glam::Vec3;
+//! use rayproof_cpu::{Engine, Tier};
+//! use rayproof_scene::bvh::Bvh;
+//! use rayproof_scene::{Geometry, Hit, Ray, Scene, Sphere};
+//!
+//! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+//! let engine = Engine::new(Bvh::new(&scene, Tier::Fast.scaling())?, Tier::Fast);
+//! let mut hits = [Hit::MISS];
+//! engine.closest(&[Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z)], &mut hits);
+//! assert_eq!(hits[0].t, 2.0);
+//! # Ok::<(), rayproof_scene::bvh::TooLarge>(())
+//! ```
+#![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
+
+mod batch;
+mod bvh;
+mod classic;
+mod engine;
+mod fast;
+mod leaf;
+mod math;
+
+pub use engine::Engine;
+pub use rayproof_scene::bvh::Tier;
+
+/// How many threads the engine uses.
+#[must_use]
+pub fn threads() -> usize {
+    rayon::current_num_threads()
+}

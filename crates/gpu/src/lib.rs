@@ -1,1 +1,28 @@
-//! x
+//! How a Vulkan device answers: WGSL through naga to SPIR-V with exact `f32` rules, run by wgpu.
+//!
+//! [`adapters`] lists what there is, [`Gpu::open`] opens one and measures its arithmetic ([`Fingerprint`]), and
+//! [`Engine`] puts a scene's tree on it and answers batches of rays.
+//!
+//! wgpu lets a driver rewrite `f32` arithmetic. So kernels go around its compiler: naga writes SPIR-V, every float
+//! operation in it is decorated `NoContraction` and the float-control modes that the device has are asked for, and the
+//! module is passed through. Where passthrough is missing plain WGSL runs, and the fingerprint tells what that did.
+
+mod adapter;
+mod batch;
+mod engine;
+mod error;
+mod fingerprint;
+mod float_controls;
+mod gpu;
+mod kernel;
+mod link;
+mod pages;
+mod spirv;
+
+pub use adapter::{AdapterReport, adapters};
+pub use engine::Engine;
+pub use error::Error;
+pub use fingerprint::{Fingerprint, Route};
+pub use gpu::{Gpu, Selector};
+pub use kernel::{Contents, Kernel, Query};
+pub use link::Linked;

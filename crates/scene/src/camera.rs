@@ -1,6 +1,6 @@
 use glam::{DVec3, Vec3};
 
-use crate::{Ray, Scene};
+use crate::{Geometry, Ray, Scene};
 
 /// A pinhole camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,17 +18,22 @@ pub struct Camera {
 impl Camera {
     /// A camera that sees the whole scene from the front, a little to the side and above.
     ///
-    /// It frames the box of the triangles and of the spheres no larger than 100 times the median geometry, so that
-    /// a ground sphere does not turn the rest into a dot.
+    /// It frames all triangles, and the spheres from the smallest up to the first whose radius is more than 30 times
+    /// the half diagonal of the box around all that came before: a ground sphere does not turn the rest into a dot.
+    /// For any finite scene the camera is finite and looks at a point other than its own, even for an empty one.
     #[must_use]
     pub fn framing(scene: &Scene) -> Self {
-        let [low, high] = scene.bounds().unwrap_or([Vec3::splat(-1.0), Vec3::ONE]);
-        let (low, high) = (low.as_dvec3(), high.as_dvec3());
-        let target = (low + high) * 0.5;
-        let radius = ((high - low).length() * 0.5).max(f64::from(f32::MIN_POSITIVE));
+        let (low, high) = framed_box(scene).unwrap_or((DVec3::NEG_ONE, DVec3::ONE));
+        let target = ((low + high) * 0.5).clamp(DVec3::splat(f64::from(f32::MIN)), DVec3::splat(f64::from(f32::MAX)));
+        let half = (high - low).length() * 0.5;
+        // From a single point, any distance will do. A far target needs one that is many times the spacing of the f32
+        // around it, and a tiny scene one that is no subnormal.
+        let half = if half > 0.0 { half } else { 1.0 };
+        let half = half.max(target.abs().max_element() * 2.0_f64.powi(-16)).max(1e-36);
         let fov_y = 40.0_f32;
-        let distance = radius / (f64::from(fov_y).to_radians() * 0.5).sin();
-        let eye = target + DVec3::new(0.4, 0.35, 1.0).normalize() * distance;
+        let distance = half / (f64::from(fov_y).to_radians() * 0.5).sin();
+        let offset = DVec3::new(0.4, 0.35, 1.0).normalize() * distance;
+        let eye = DVec3::from_array(std::array::from_fn(|axis| stand(target[axis], offset[axis])));
         Self { eye: eye.as_vec3(), target: target.as_vec3(), up: Vec3::Y, fov_y }
     }
 
@@ -48,5 +53,148 @@ impl Camera {
             let sy = (h - 2.0 * (f64::from(y) + 0.5)) / h * half;
             Ray::new(origin, (forward + right * sx + up * sy).normalize().as_vec3())
         })
+    }
+}
+
+/// Where to stand on one axis: `offset > 0` from the target, on the other side where that is out of range of f32.
+fn stand(target: f64, offset: f64) -> f64 {
+    let max = f64::from(f32::MAX);
+    if target + offset > max && target > 0.0 { (target - offset).max(-max) } else { (target + offset).min(max) }
+}
+
+/// The box of what [`Camera::framing`] frames, in `f64` so that nothing overflows; `None` where there is nothing.
+fn framed_box(scene: &Scene) -> Option<(DVec3, DVec3)> {
+    let union = |a: (DVec3, DVec3), b: (DVec3, DVec3)| (a.0.min(b.0), a.1.max(b.1));
+    let mut spheres = Vec::new();
+    let mut triangles = None;
+    for geometry in scene.geometries() {
+        match geometry {
+            Geometry::Spheres(table) => spheres.extend_from_slice(table),
+            Geometry::Mesh(mesh) => {
+                let used = mesh.triangles.iter().flatten().map(|&v| mesh.vertices[v as usize].as_dvec3());
+                triangles = used.map(|v| (v, v)).chain(triangles).reduce(union);
+            }
+        }
+    }
+    spheres.sort_unstable_by(|a, b| a.radius.total_cmp(&b.radius));
+    spheres.iter().try_fold(triangles, |framed, s| {
+        let (c, r) = (s.center.as_dvec3(), f64::from(s.radius));
+        let half = framed.map_or(0.0, |(low, high): (DVec3, DVec3)| (high - low).length() * 0.5);
+        // All that follow are as large or larger.
+        if half > 0.0 && r > 30.0 * half {
+            return Err(framed);
+        }
+        Ok(Some(framed.into_iter().fold((c - r, c + r), union)))
+    })
+    .unwrap_or_else(|framed| framed)
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "tests")]
+
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Mesh, Sphere};
+
+    fn spheres(table: &[(Vec3, f32)]) -> Geometry {
+        Geometry::Spheres(table.iter().map(|&(center, radius)| Sphere { center, radius }).collect())
+    }
+
+    fn triangle(corners: [Vec3; 3]) -> Geometry {
+        Geometry::Mesh(Mesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] })
+    }
+
+    /// What [`Camera::rays`] and a scene file ask of a camera.
+    fn check_valid(camera: &Camera) {
+        assert!(camera.eye.is_finite() && camera.target.is_finite(), "{camera:?}");
+        assert_ne!(camera.eye, camera.target);
+        let sight = (camera.target.as_dvec3() - camera.eye.as_dvec3()).normalize();
+        assert!(sight.cross(camera.up.as_dvec3()).length() > 0.1, "{camera:?}");
+        for ray in camera.rays(3, 2, 0..2) {
+            assert_eq!(ray.fault(), None, "{camera:?}");
+            assert!((ray.direction.as_dvec3().length() - 1.0).abs() < 1e-6, "{camera:?}");
+        }
+    }
+
+    /// Whether a point is within the vertical field of view of a square picture.
+    fn sees(camera: &Camera, point: Vec3) -> bool {
+        let sight = (camera.target.as_dvec3() - camera.eye.as_dvec3()).normalize();
+        let to = (point.as_dvec3() - camera.eye.as_dvec3()).normalize();
+        sight.dot(to).acos().to_degrees() <= f64::from(camera.fov_y) * 0.5 + 1e-3
+    }
+
+    #[test]
+    fn a_ground_sphere_does_not_hide_the_rest() {
+        let ground = (Vec3::new(0.0, -1e6, 0.0), 1e6);
+        let beads = [(Vec3::new(-1.0, 0.5, 0.0), 0.5), (Vec3::new(1.0, 0.25, 0.0), 0.25)];
+        let without = Camera::framing(&Scene::new(vec![spheres(&beads)]));
+        for scene in [
+            vec![spheres(&[ground, beads[0], beads[1]])],
+            vec![spheres(&beads), spheres(&[ground])],
+            vec![spheres(&[ground, (Vec3::ZERO, 2e6)]), spheres(&beads)],
+        ] {
+            assert_eq!(Camera::framing(&Scene::new(scene)), without);
+        }
+        let mesh = triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+        let without = Camera::framing(&Scene::new(vec![mesh.clone()]));
+        assert_eq!(Camera::framing(&Scene::new(vec![spheres(&[ground]), mesh])), without);
+    }
+
+    #[test]
+    fn large_spheres_of_a_wide_scene_are_framed() {
+        let far = Vec3::new(100.0, 0.0, 0.0);
+        let scene = Scene::new(vec![spheres(&[(Vec3::ZERO, 0.1), (far, 0.1), (Vec3::ZERO, 50.0)])]);
+        let camera = Camera::framing(&scene);
+        for point in [far, Vec3::new(-50.0, 0.0, 0.0), Vec3::new(0.0, 50.0, 0.0), Vec3::new(0.0, -50.0, 0.0)] {
+            assert!(sees(&camera, point), "{point} from {camera:?}");
+        }
+        // A sphere alone is framed, whatever its size, and so is one around a point.
+        for radius in [1e-30, 1.0, 1e6, 1e30] {
+            let camera = Camera::framing(&Scene::new(vec![spheres(&[(Vec3::ZERO, 0.0), (Vec3::ZERO, radius)])]));
+            assert!(sees(&camera, Vec3::Y * radius) && sees(&camera, Vec3::X * radius), "{camera:?}");
+        }
+    }
+
+    #[test]
+    fn vertices_without_a_triangle_are_not_framed() {
+        let corners = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mesh = Mesh { vertices: [&corners[..], &[Vec3::splat(1e9)]].concat(), triangles: vec![[0, 1, 2]] };
+        let with = Camera::framing(&Scene::new(vec![Geometry::Mesh(mesh)]));
+        assert_eq!(with, Camera::framing(&Scene::new(vec![triangle(corners)])));
+    }
+
+    #[test]
+    fn any_finite_scene_has_a_valid_camera() {
+        check_valid(&Camera::framing(&Scene::default()));
+        check_valid(&Camera::framing(&Scene::new(vec![spheres(&[]), Geometry::Mesh(Mesh::default())])));
+        for x in [0.0, f32::from_bits(1), 1e-38, 1e-30, 1.0, 1e6, 1e30, f32::MAX] {
+            for v in [x, -x].map(|x| [Vec3::splat(x), Vec3::new(x, 0.0, 0.0), Vec3::new(0.0, -x, x)]).as_flattened() {
+                check_valid(&Camera::framing(&Scene::new(vec![triangle([*v; 3])])));
+                check_valid(&Camera::framing(&Scene::new(vec![triangle([*v, -*v, Vec3::ZERO])])));
+                for radius in [0.0, 1e-30, 1.0, f32::MAX] {
+                    check_valid(&Camera::framing(&Scene::new(vec![spheres(&[(*v, radius)])])));
+                }
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_finite_spheres_have_a_valid_camera(
+            table in prop::collection::vec(prop::array::uniform4(prop::num::f32::NORMAL | prop::num::f32::SUBNORMAL), 0..6),
+        ) {
+            let table: Vec<_> = table.iter().map(|&[x, y, z, r]| (Vec3::new(x, y, z), r.abs())).collect();
+            check_valid(&Camera::framing(&Scene::new(vec![spheres(&table)])));
+        }
+    }
+
+    #[test]
+    fn framing_sees_every_vertex() {
+        let corners = [Vec3::new(-3.0, 2.0, 1.0), Vec3::new(5.0, -1.0, 0.0), Vec3::new(0.0, 0.0, 7.0)];
+        let camera = Camera::framing(&Scene::new(vec![triangle(corners)]));
+        assert!(corners.iter().all(|&corner| sees(&camera, corner)), "{camera:?}");
+        assert!(!sees(&camera, *corners.last().unwrap() * 10.0), "the check sees everything");
     }
 }

@@ -21,16 +21,21 @@
 //! assert_eq!(ray.at(2.0), triangle.point(0.25, 0.5));
 //! ```
 
+mod batch;
+pub mod bvh;
 mod camera;
 mod error;
+mod files;
 mod hit;
 mod ray;
 mod scene;
 mod sphere;
 mod triangle;
 
+pub use batch::{Format, HitKind, HitWriter, INVALID_RAY, InvalidRays, RayReader, RayWriter};
 pub use camera::Camera;
 pub use error::{BadInput, Error};
+pub use files::{LoadedScene, load};
 pub use hit::{Hit, MISS};
 pub use ray::{Ray, RayFault};
 pub use scene::{Geometry, Mesh, Primitive, Scene};

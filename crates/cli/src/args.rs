@@ -1,0 +1,303 @@
+//! What can be typed.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use rayproof::scene::{self, InvalidRays};
+use rayproof::{DeviceChoice, Precision};
+
+use crate::exit::{Code, Failure};
+use crate::parse::{self, Shard, Size};
+
+/// Shoots rays at spheres and triangles, on the GPU or the CPU, and can prove each answer against exact arithmetic.
+#[derive(Debug, Parser)]
+#[command(name = "rayproof", version, max_term_width = 100, subcommand_required = true, arg_required_else_help = true)]
+#[command(after_help = "\
+A first run:
+  rayproof render bunny.ply -o bunny.png
+  rayproof rays bunny.ply -o rays.npy
+  rayproof intersect bunny.ply rays.npy -o hits.npy --check 1000
+
+Exit codes: 0 done, 1 failed while running, 2 usage, 3 --check found a disagreement, 4 no such device, 5 bad input.")]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Answer a file of rays: where does each first meet the scene?
+    Intersect(Intersect),
+    /// Write a file of rays that suits a scene.
+    Rays(Rays),
+    /// Draw a scene, or the error of every pixel.
+    Render(Render),
+}
+
+const SCENE: &str = "\
+The scene: a mesh (.obj .ply .stl .gltf .glb), or a scene file (.toml) that lists meshes and spheres:
+
+  [[geometry]]
+  mesh = \"bunny.ply\"                # relative to the scene file
+  [[geometry]]
+  spheres = [[0.0, 1.0, 0.0, 0.5]]  # x, y, z, radius
+  [[geometry]]
+  spheres = \"beads.npy\"             # (N, 4) float32, or .csv with x,y,z,r
+  [camera]                          # optional
+  eye = [0, 1, 5]
+  target = [0, 1, 0]
+  up = [0, 1, 0]
+  fov_y = 40                        # degrees";
+
+const DEVICE: &str = "\
+What computes: 'auto' is a hardware GPU if there is one, else the CPU engine; 'cpu' is the CPU engine; 'gpu' is the \
+best adapter, a software one too; 'index:N', 'name:TEXT' and 'pci:BUS' pick one adapter";
+
+const PRECISION: &str = "\
+How: 'classic' is the textbook formulas in f32, for comparison; 'fast' is f32 too, in the best-conditioned form";
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  rayproof intersect bunny.ply rays.npy -o hits.npy
+  rayproof intersect scene.toml rays.csv -o hits.csv --query any --device cpu
+  rayproof rays bunny.ply -o - | rayproof intersect bunny.ply - -o hits.npy --check 1000 --json
+
+HITS has one row a ray, in the rays' order, and appears only when it is whole.
+  closest: t, u, v (float32), geometry, primitive (uint32); a miss is t = inf, u = v = 0, both ids 4294967295
+  any:     hit (uint8)")]
+pub(crate) struct Intersect {
+    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    pub(crate) scene: PathBuf,
+
+    /// The rays, '-' for stdin: .npy of shape (N, 6) or (N, 8), .csv with ox,oy,oz,dx,dy,dz[,t_min,t_max]
+    #[arg(value_name = "RAYS")]
+    pub(crate) rays: PathBuf,
+
+    /// Where the hits go, '-' for stdout: .npy or .csv
+    #[arg(short, long, value_name = "HITS")]
+    pub(crate) output: PathBuf,
+
+    /// What is asked of each ray
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) query: Query,
+
+    #[arg(long, value_enum, default_value_t, help = PRECISION)]
+    pub(crate) precision: Tier,
+
+    #[arg(long, value_parser = parse::device, default_value = "auto", help = DEVICE)]
+    pub(crate) device: DeviceChoice,
+
+    /// Answer N rays, spread evenly, again in exact arithmetic; print disagreements and exit with 3 if there are any
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) check: u64,
+
+    /// What a bad ray (not finite, zero direction, t_min > t_max) is: an error, or a miss that is counted
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) invalid: Invalid,
+
+    /// Answer only the I-th (from 0) of N contiguous shares of the rays; the shares' hits, joined, are the whole
+    #[arg(long, value_name = "I/N", value_parser = parse::shard)]
+    pub(crate) shard: Option<Shard>,
+
+    /// Print the summary as one JSON object on stdout
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// No progress and no summary on stderr
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+
+    /// The format of HITS where it is '-'
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) to: Format,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  rayproof rays bunny.ply -o primary.npy --size 1920x1080
+  rayproof rays bunny.ply -o incoherent.npy --kind incoherent --count 1000000 --seed 7
+  rayproof rays bunny.ply -o - --kind diffuse --count 100000 | rayproof intersect bunny.ply - -o hits.npy
+
+The same command writes the same bytes on every run.")]
+pub(crate) struct Rays {
+    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    pub(crate) scene: PathBuf,
+
+    /// Where the rays go, '-' for stdout: .npy (N, 6) or .csv
+    #[arg(short, long, value_name = "RAYS")]
+    pub(crate) output: PathBuf,
+
+    #[arg(long, value_enum, default_value_t, help = "Which rays")]
+    pub(crate) kind: Kind,
+
+    /// The size of the picture that primary and diffuse rays are made for [default: 1024x1024]
+    #[arg(long, value_name = "WxH", value_parser = parse::size, conflicts_with = "count")]
+    pub(crate) size: Option<Size>,
+
+    /// How many incoherent or diffuse rays [default: 1048576 incoherent; one diffuse for every pixel that hits]
+    #[arg(long, value_name = "N")]
+    pub(crate) count: Option<u64>,
+
+    /// What the random numbers start from
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub(crate) seed: u64,
+
+    /// No progress and no summary on stderr
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+
+    /// The format of RAYS where it is '-'
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) to: Format,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  rayproof render bunny.ply -o bunny.png
+  rayproof render scene.toml -o depth.png --show depth --size 1920x1080 --device cpu
+  rayproof render bunny.ply -o error.png --show error --precision classic --size 200x150
+
+The picture is seen from the scene file's camera, else from one that frames the scene.")]
+pub(crate) struct Render {
+    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    pub(crate) scene: PathBuf,
+
+    /// Where the picture goes (.png), '-' for stdout
+    #[arg(short, long, value_name = "PICTURE")]
+    pub(crate) output: PathBuf,
+
+    /// The size of the picture, in pixels
+    #[arg(long, value_name = "WxH", value_parser = parse::size, default_value = "800x600")]
+    pub(crate) size: Size,
+
+    #[arg(long, value_enum, default_value_t, help = "What a pixel shows")]
+    pub(crate) show: Show,
+
+    #[arg(long, value_enum, default_value_t, help = PRECISION)]
+    pub(crate) precision: Tier,
+
+    #[arg(long, value_parser = parse::device, default_value = "auto", help = DEVICE)]
+    pub(crate) device: DeviceChoice,
+
+    /// No progress and no summary on stderr
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// What is asked of a ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Query {
+    /// Where it first meets the scene
+    #[default]
+    Closest,
+    /// Whether it meets the scene at all
+    Any,
+}
+
+/// How hits are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Tier {
+    /// The textbook formulas in f32
+    Classic,
+    /// f32 in its best-conditioned form
+    #[default]
+    Fast,
+}
+
+impl From<Tier> for Precision {
+    fn from(tier: Tier) -> Self {
+        match tier {
+            Tier::Classic => Self::Classic,
+            Tier::Fast => Self::Fast,
+        }
+    }
+}
+
+/// What becomes of a bad ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Invalid {
+    /// The run stops, with exit code 5
+    #[default]
+    Error,
+    /// It hits nothing, and is counted
+    Miss,
+}
+
+impl From<Invalid> for InvalidRays {
+    fn from(invalid: Invalid) -> Self {
+        match invalid {
+            Invalid::Error => Self::Error,
+            Invalid::Miss => Self::Miss,
+        }
+    }
+}
+
+/// The formats of rays and hits on stdout; on stdin the first bytes tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    #[default]
+    Npy,
+    Csv,
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+impl Format {
+    /// The format to write `path` in: this one for stdout, else what its ending says.
+    ///
+    /// # Errors
+    /// A usage error where the ending says nothing.
+    pub(crate) fn of_output(self, path: &Path) -> Result<scene::Format, Failure> {
+        if path.as_os_str() != "-" {
+            return scene::Format::of(path).map_err(|e| Failure::new(Code::Usage, format!("--output: {e}")));
+        }
+        Ok(match self {
+            Self::Npy => scene::Format::Npy,
+            Self::Csv => scene::Format::Csv,
+            #[cfg(feature = "parquet")]
+            Self::Parquet => scene::Format::Parquet,
+        })
+    }
+}
+
+/// Rays made for a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kind {
+    /// Through the pixels of a picture, row by row from the top left
+    #[default]
+    Primary,
+    /// From random points of the scene's bounding sphere to random points of its box
+    Incoherent,
+    /// From where primary rays hit, in cosine-weighted random directions about the surface's normal
+    Diffuse,
+}
+
+/// What a pixel shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Show {
+    /// The geometric normal, lit from the camera
+    #[default]
+    Normal,
+    /// The distance: yellow is near, dark blue is far
+    Depth,
+    /// Which primitive: one colour each, the same in every picture
+    Primitive,
+    /// The barycentric weights: red, green and blue for the first, second and third vertex
+    Uv,
+    /// The error of t in ULP, against exact arithmetic (slow): from dark violet (none) over green to yellow (a
+    /// million and more), red where another primitive or none is right
+    Error,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        super::Cli::command().debug_assert();
+    }
+}

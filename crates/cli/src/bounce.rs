@@ -1,0 +1,78 @@
+//! Rays that leave the surface where primary rays hit it: what a path tracer asks next.
+
+use glam::{DVec3, Vec3};
+use rayproof::scene::{Hit, Primitive, Ray, Scene};
+
+use crate::random::Random;
+
+/// How far the origin is pushed off the surface, against meeting it again at once: so many times the distance from
+/// the eye or the largest coordinate of the point, whichever is larger. 256 times the rounding of an f32.
+const PUSH: f64 = 1.0 / 65536.0;
+
+/// The ray from where `ray` hits, in a cosine-weighted random direction about the geometric normal that faces the
+/// viewer.
+pub(crate) fn bounce(scene: &Scene, ray: &Ray, hit: &Hit, random: &mut Random) -> Ray {
+    let d = ray.direction.as_dvec3();
+    let along = d * f64::from(hit.t);
+    let p = ray.origin.as_dvec3() + along;
+    let normal = facing(normal(scene, hit, p), d);
+    let push = PUSH * along.length().max(p.abs().max_element());
+    // A unit normal plus a uniform point of the unit sphere is cosine-weighted (Lambert's law).
+    let direction = (normal + random.on_sphere()).try_normalize().unwrap_or(normal);
+    Ray::new(finite(p + normal * push), direction.as_vec3())
+}
+
+/// The geometric normal of the primitive at `p`, of any length.
+pub(crate) fn normal(scene: &Scene, hit: &Hit, p: DVec3) -> DVec3 {
+    match scene.primitive(hit.primitive as usize) {
+        Primitive::Triangle(triangle) => {
+            let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| v.as_dvec3());
+            (b - a).cross(c - a)
+        }
+        Primitive::Sphere(sphere) => p - sphere.center.as_dvec3(),
+    }
+}
+
+/// The unit normal on the side that a ray along `d` comes from.
+pub(crate) fn facing(normal: DVec3, d: DVec3) -> DVec3 {
+    let back = -d.normalize();
+    let normal = normal.try_normalize().unwrap_or(back);
+    if normal.dot(back) < 0.0 { -normal } else { normal }
+}
+
+/// Rounded to the nearest f32, within its range.
+pub(crate) fn finite(p: DVec3) -> Vec3 {
+    p.as_vec3().clamp(Vec3::MIN, Vec3::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use rayproof::scene::{Geometry, Mesh, Sphere};
+
+    use super::*;
+
+    #[test]
+    fn bounces_leave_on_the_viewers_side_with_the_cosine() {
+        let square = Mesh { vertices: vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles: vec![[0, 1, 2]] };
+        let spheres = vec![Sphere { center: Vec3::new(5.0, 0.0, -1.0), radius: 1.0 }];
+        let scene = Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]);
+        for (x, primitive, side) in [(0.25, 0, 1.0), (0.25, 0, -1.0), (5.0, 1, 1.0)] {
+            let ray = Ray::new(Vec3::new(x, 0.0, side * 4.0), Vec3::new(0.0, 0.0, -side));
+            let hit = Hit { t: 4.0, u: 0.25, v: 0.0, primitive };
+            let n = 20_000;
+            let mut cosines = 0.0;
+            for i in 0..n {
+                let out = bounce(&scene, &ray, &hit, &mut Random::new(3, i));
+                assert!(out.fault().is_none());
+                assert_eq!(out.origin.truncate(), ray.origin.truncate());
+                assert!(out.origin.z * side > 0.0 && out.origin.z.abs() < 1e-3, "{out:?}");
+                assert!((out.direction.length() - 1.0).abs() < 1e-6);
+                assert!(out.direction.z * side >= 0.0);
+                cosines += f64::from(out.direction.z * side);
+            }
+            // The mean cosine of a cosine-weighted direction is 2/3, its deviation 0.2357.
+            let mean = cosines / n as f64;
+            assert!((mean - 2.0 / 3.0).abs() < 5.0 * 0.2357 / (n as f64).sqrt(), "{mean}");
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Why a command stopped, and the exit code that says so.
+
+use std::fmt;
+use std::io::Write as _;
+use std::process::ExitCode;
+
+use rayproof::scene;
+
+/// The exit codes that scripts rely on; 0 is done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Code {
+    /// Failed while running: device lost, disk full, out of memory.
+    Running = 1,
+    /// The command line asks for what cannot be.
+    Usage = 2,
+    /// `--check` found a disagreement.
+    Disagreed = 3,
+    /// The device asked for is not there.
+    NoDevice = 4,
+    /// The input is bad.
+    BadInput = 5,
+    /// Stopped by Ctrl-C or a signal: 128 + SIGINT, as shells have it.
+    Interrupted = 130,
+}
+
+/// A command that did not get to its end.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    pub(crate) code: Code,
+    message: String,
+}
+
+impl Failure {
+    pub(crate) fn new(code: Code, message: impl Into<String>) -> Self {
+        Self { code, message: message.into() }
+    }
+
+    pub(crate) fn interrupted() -> Self {
+        Self::new(Code::Interrupted, "interrupted; nothing was written")
+    }
+
+    /// Says on stderr what happened and gives the exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        say(format_args!("error: {}", self.message));
+        ExitCode::from(self.code as u8)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl From<scene::Error> for Failure {
+    fn from(error: scene::Error) -> Self {
+        let code = match &error {
+            scene::Error::Bad(_) | scene::Error::Open { .. } => Code::BadInput,
+            scene::Error::Io { .. } => Code::Running,
+        };
+        Self::new(code, error.to_string())
+    }
+}
+
+impl From<rayproof::Error> for Failure {
+    fn from(error: rayproof::Error) -> Self {
+        let code = match &error {
+            rayproof::Error::NoDevice(_) => Code::NoDevice,
+            rayproof::Error::Device(_) => Code::Running,
+        };
+        Self::new(code, error.to_string())
+    }
+}
+
+/// A line on stderr. A closed stderr is no reason to stop.
+pub(crate) fn say(line: fmt::Arguments<'_>) {
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
+}
+
+/// A line on stdout.
+///
+/// # Errors
+/// When stdout is closed or full.
+pub(crate) fn print(line: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{line}").and_then(|()| out.flush()).map_err(|e| Failure::new(Code::Running, format!("stdout: {e}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_error_has_the_code_of_the_contract() {
+        let io = || std::io::Error::from(std::io::ErrorKind::NotFound);
+        let path = || std::path::PathBuf::from("x");
+        let cases = [
+            (Failure::from(scene::Error::bad("x", "row 1", "is bad", "make it good")), 5),
+            (Failure::from(scene::Error::Open { path: path(), source: io() }), 5),
+            (Failure::from(scene::Error::Io { path: path(), source: io() }), 1),
+            (Failure::from(rayproof::Error::NoDevice("none".into())), 4),
+            (Failure::from(rayproof::Error::Device("lost".into())), 1),
+            (Failure::new(Code::Usage, "no"), 2),
+            (Failure::new(Code::Disagreed, "no"), 3),
+        ];
+        for (failure, code) in cases {
+            assert_eq!(failure.code as u8, code, "{failure}");
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! `rayproof intersect`: a file of rays in, a file of answers out.
+
+use std::time::Instant;
+
+use rayproof::scene::{Format, Hit, HitWriter, Scene};
+use rayproof::{Intersector, Options};
+
+use crate::answer::Answer;
+use crate::args::{Intersect, Query, Tier};
+use crate::check::{Checked, check};
+use crate::exit::{Code, Failure, print, say};
+use crate::interrupt::Writing;
+use crate::pipeline::{self, Traced};
+use crate::progress::Progress;
+use crate::sample::{Sample, Sampler};
+use crate::source::Source;
+use crate::summary::{SceneSize, Seconds, Summary, Undecided};
+
+/// Runs the command; `started` is when the program did.
+pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
+    if args.json && args.output.as_os_str() == "-" {
+        let message = "--json: the hits go to stdout already; give -o a file, or leave --json out";
+        return Err(Failure::new(Code::Usage, message));
+    }
+    let format = args.to.of_output(&args.output)?;
+    let loading = Instant::now();
+    let scene = rayproof::scene::load(&args.scene)?.scene;
+    let load = loading.elapsed().as_secs_f64();
+    let source = Source::open(&args.rays, args.invalid.into(), args.shard)?;
+    let options = Options { precision: args.precision.into(), device: args.device.clone() };
+    let engine = Intersector::new(&scene, &options)?;
+    let run = Run { args, format, scene, engine, started, load };
+    match args.query {
+        Query::Closest => run.all::<Hit>(source),
+        Query::Any => run.all::<u8>(source),
+    }
+}
+
+/// What is ready before the first ray is read.
+struct Run<'a> {
+    args: &'a Intersect,
+    format: Format,
+    scene: Scene,
+    engine: Intersector,
+    started: Instant,
+    /// Seconds that loading the scene took.
+    load: f64,
+}
+
+/// What is known once the file of answers is whole.
+struct Done<A> {
+    traced: Traced,
+    hits: u64,
+    invalid: u64,
+    rounded: u64,
+    samples: Vec<Sample<A>>,
+}
+
+impl Run<'_> {
+    fn all<A: Answer>(&self, source: Source) -> Result<(), Failure> {
+        let done = self.answer::<A>(source)?;
+        let checked = check(&self.scene, &done.samples, self.args.quiet);
+        let summary = self.summary(&done, checked);
+        if !self.args.quiet {
+            say(format_args!("{summary}"));
+        }
+        if self.args.json {
+            let json = serde_json::to_string(&summary).map_err(|e| Failure::new(Code::Running, e.to_string()))?;
+            print(&json)?;
+        }
+        match checked.disagreed {
+            0 => Ok(()),
+            n => Err(Failure::new(Code::Disagreed, format!("--check: {n} of {} answers are wrong", checked.checked))),
+        }
+    }
+
+    /// Streams the rays through the engine into the file.
+    fn answer<A: Answer>(&self, source: Source) -> Result<Done<A>, Failure> {
+        let total = source.total();
+        let writing = Writing::begin();
+        let mut writer = HitWriter::create(&self.args.output, Some(self.format), A::KIND, total)?;
+        let mut sampler = Sampler::new(self.args.check, total);
+        let mut hits = 0;
+        let progress = Progress::new("tracing", total, self.args.quiet);
+        let (source, traced) = pipeline::run(
+            source,
+            Source::next,
+            A::MISS,
+            |rays, answers| Ok(A::trace(&self.engine, rays, answers)?),
+            |first, rays, answers| {
+                A::write(&mut writer, &self.scene, answers)?;
+                sampler.take(first, rays, answers);
+                hits += answers.iter().filter(|answer| answer.is_hit()).count() as u64;
+                progress.add(rays.len());
+                Ok(())
+            },
+        )?;
+        writer.finish()?;
+        drop((writing, progress));
+        let (invalid, rounded) = source.tally();
+        Ok(Done { traced, hits, invalid, rounded, samples: sampler.finish() })
+    }
+
+    fn summary<A: Answer>(&self, done: &Done<A>, checked: Checked) -> Summary {
+        let device = self.engine.device();
+        let (rays, trace) = (done.traced.rays, done.traced.seconds);
+        let resolve = 0.0;
+        #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
+        let rays_per_second = if rays > 0 { rays as f64 / (trace + resolve).max(1e-9) } else { 0.0 };
+        Summary {
+            device: device.name.clone(),
+            driver: device.driver.clone(),
+            precision: match self.args.precision {
+                Tier::Classic => "classic",
+                Tier::Fast => "fast",
+            },
+            query: A::QUERY,
+            scene: SceneSize::of(&self.scene),
+            rays,
+            hits: done.hits,
+            invalid_rays: done.invalid,
+            rounded_values: done.rounded,
+            undecided: Undecided::default(),
+            seconds: Seconds {
+                load: self.load,
+                build: self.engine.build_seconds(),
+                trace,
+                resolve,
+                total: self.started.elapsed().as_secs_f64(),
+            },
+            rays_per_second,
+            checked: checked.checked,
+            within_promise: checked.within_promise,
+            disagreed: checked.disagreed,
+            notes: device.notes.clone(),
+        }
+    }
+}

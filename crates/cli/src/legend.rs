@@ -1,0 +1,89 @@
+//! The scale of an error picture, drawn into its lower left corner.
+
+use font8x8::{BASIC_FONTS, UnicodeFonts as _};
+
+use crate::color::{BACKGROUND, Rgb, WRONG, viridis};
+use crate::picture::Picture;
+
+/// The ends of the decades: none, 1, and on to a million ULP.
+const DECADES: [&str; 8] = ["0", "1", "10", "100", "1k", "10k", "100k", "1M"];
+/// Pixels a decade: the widest label and a gap.
+const STEP: u32 = 40;
+const WIDTH: u32 = STEP * 9;
+const HEIGHT: u32 = 48;
+const PANEL: Rgb = [0, 0, 0];
+const TEXT: Rgb = [255, 255, 255];
+
+/// The colour of an error in ULP: from none over 1 to a million and more, logarithmic from 1 on.
+#[expect(clippy::cast_precision_loss, reason = "a colour")]
+pub(crate) fn color(ulps: u64) -> Rgb {
+    viridis(if ulps == 0 { 0.0 } else { ((ulps as f64).log10() + 1.0) / 7.0 })
+}
+
+/// Draws the scale, if the picture is large enough to leave most of it free.
+pub(crate) fn draw(picture: &mut Picture) {
+    if picture.size.width < WIDTH || picture.size.height < 4 * HEIGHT {
+        return;
+    }
+    let top = picture.size.height - HEIGHT;
+    fill(picture, (0, top), (WIDTH, HEIGHT), PANEL);
+    let left = STEP / 2;
+    for x in 0..7 * STEP {
+        fill(picture, (left + x, top + 4), (1, 12), viridis(f64::from(x) / f64::from(7 * STEP - 1)));
+    }
+    for (label, x) in DECADES.iter().zip((left..).step_by(STEP as usize)) {
+        fill(picture, (x, top + 14), (1, 4), TEXT);
+        // Centred on its tick.
+        let half = u32::try_from(label.len()).unwrap_or(0) * 4;
+        text(picture, (x - half, top + 20), label);
+    }
+    text(picture, (left + 7 * STEP + 22, top + 20), "ULP");
+    fill(picture, (left, top + 34), (10, 10), WRONG);
+    text(picture, (left + 14, top + 35), "wrong answer");
+    fill(picture, (left + 128, top + 34), (10, 10), BACKGROUND);
+    text(picture, (left + 142, top + 35), "miss");
+}
+
+fn fill(picture: &mut Picture, (x, y): (u32, u32), (width, height): (u32, u32), color: Rgb) {
+    for row in y..y + height {
+        for column in x..x + width {
+            picture.set(column, row, color);
+        }
+    }
+}
+
+/// Text in cells of 8 x 8 pixels, from its upper left corner.
+fn text(picture: &mut Picture, (x, y): (u32, u32), text: &str) {
+    for (c, x) in text.chars().zip((x..).step_by(8)) {
+        for (row, y) in BASIC_FONTS.get(c).unwrap_or_default().into_iter().zip(y..) {
+            for bit in (0..8).filter(|bit| row >> bit & 1 == 1) {
+                picture.set(x + bit, y, TEXT);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![expect(clippy::unwrap_used, reason = "a test")]
+
+    use super::*;
+
+    #[test]
+    fn the_scale_is_logarithmic_and_ends_at_both_ends() {
+        assert_eq!([0, 1, 10, 1_000_000, u64::MAX].map(color), [0.0, 1.0 / 7.0, 2.0 / 7.0, 1.0, 1.0].map(viridis));
+    }
+
+    #[test]
+    fn small_pictures_are_left_alone_and_large_ones_are_labelled() {
+        for (width, height, drawn) in [(WIDTH - 1, 600, false), (800, 4 * HEIGHT - 1, false), (WIDTH, 4 * HEIGHT, true)]
+        {
+            let mut picture = Picture::new(crate::parse::Size { width, height }).unwrap();
+            picture.push((0..width * height).map(|_| [1, 2, 3]));
+            draw(&mut picture);
+            assert_eq!(picture.count(TEXT) > 200, drawn, "{width}x{height}");
+            let outside = u64::from(width * height - WIDTH * HEIGHT * u32::from(drawn));
+            assert_eq!(picture.count([1, 2, 3]), outside);
+        }
+    }
+}

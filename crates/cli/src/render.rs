@@ -1,0 +1,90 @@
+//! `rayproof render`: a picture of a scene, or of the error of every pixel.
+
+use rayon::prelude::*;
+use rayproof::scene::{Camera, Hit, Ray, Scene};
+use rayproof::{Intersector, Options};
+use rayproof_oracle::Oracle;
+
+use crate::args::{Render, Show};
+use crate::color::Rgb;
+use crate::exit::{Code, Failure, say};
+use crate::picture::Picture;
+use crate::progress::Progress;
+use crate::rays::row_blocks;
+use crate::{legend, shade, summary};
+
+/// Runs the command.
+pub(crate) fn run(args: &Render) -> Result<(), Failure> {
+    let png = args.output.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
+    if !png && args.output.as_os_str() != "-" {
+        let message = format!("--output: {}: a picture is a PNG; give a name that ends in .png", args.output.display());
+        return Err(Failure::new(Code::Usage, message));
+    }
+    let loaded = rayproof::scene::load(&args.scene)?;
+    let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
+    let options = Options { precision: args.precision.into(), device: args.device.clone() };
+    let engine = Intersector::new(&loaded.scene, &options)?;
+    let view = View { args, scene: &loaded.scene, camera, engine };
+    view.draw()?.save(&args.output)?;
+    if !args.quiet {
+        say(format_args!("{}picture {}", summary::device_lines(view.engine.device()), args.output.display()));
+    }
+    Ok(())
+}
+
+/// A scene, seen through a camera.
+struct View<'a> {
+    args: &'a Render,
+    scene: &'a Scene,
+    camera: Camera,
+    engine: Intersector,
+}
+
+impl View<'_> {
+    fn draw(&self) -> Result<Picture, Failure> {
+        let mut picture = Picture::new(self.args.size)?;
+        let scene = self.scene;
+        match self.args.show {
+            Show::Normal => self.shade(&mut picture, |ray, hit| shade::by_normal(scene, ray, hit))?,
+            Show::Primitive => self.shade(&mut picture, |_, hit| shade::by_primitive(hit))?,
+            Show::Uv => self.shade(&mut picture, |_, hit| shade::by_uv(hit))?,
+            Show::Error => {
+                let oracle = Oracle::new(scene);
+                self.shade(&mut picture, |ray, hit| shade::by_error(&oracle, ray, hit))?;
+                legend::draw(&mut picture);
+            }
+            Show::Depth => {
+                let mut distances = Vec::new();
+                self.trace(|_, hits| distances.extend(hits.iter().map(|hit| hit.t)))?;
+                picture.push(shade::by_depth(&distances));
+            }
+        }
+        Ok(picture)
+    }
+
+    /// Colours every pixel by its own ray and hit.
+    fn shade(&self, picture: &mut Picture, color: impl Fn(&Ray, &Hit) -> Rgb + Sync) -> Result<(), Failure> {
+        self.trace(|rays, hits| {
+            let colors: Vec<Rgb> = rays.par_iter().zip(hits).map(|(ray, hit)| color(ray, hit)).collect();
+            picture.push(colors);
+        })
+    }
+
+    /// Calls `f` with the rays of each block of rows and their hits.
+    fn trace(&self, mut f: impl FnMut(&[Ray], &[Hit])) -> Result<(), Failure> {
+        let size = self.args.size;
+        // The oracle is slow: small blocks, so that the bar moves.
+        let block = if self.args.show == Show::Error { 1 << 11 } else { crate::pipeline::BATCH };
+        let progress = Progress::new("rendering", Some(size.pixels()), self.args.quiet);
+        let mut hits = Vec::new();
+        for rows in row_blocks(size, block) {
+            let rays: Vec<Ray> = self.camera.rays(size.width, size.height, rows).collect();
+            hits.clear();
+            hits.resize(rays.len(), Hit::MISS);
+            self.engine.closest(&rays, &mut hits)?;
+            f(&rays, &hits);
+            progress.add(rays.len());
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,136 @@
+//! What a run came to: a JSON object for scripts, a few lines for people.
+
+use std::fmt::{self, Write as _};
+
+use rayproof::DeviceInfo;
+use rayproof::scene::Scene;
+use serde::Serialize;
+
+/// The object that `--json` prints. Its names are a contract.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Summary {
+    pub(crate) device: String,
+    pub(crate) driver: String,
+    pub(crate) precision: &'static str,
+    pub(crate) query: &'static str,
+    pub(crate) scene: SceneSize,
+    pub(crate) rays: u64,
+    pub(crate) hits: u64,
+    pub(crate) invalid_rays: u64,
+    pub(crate) rounded_values: u64,
+    pub(crate) undecided: Undecided,
+    pub(crate) seconds: Seconds,
+    pub(crate) rays_per_second: f64,
+    pub(crate) checked: u64,
+    pub(crate) within_promise: u64,
+    pub(crate) disagreed: u64,
+    #[serde(skip)]
+    pub(crate) notes: Vec<String>,
+}
+
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct SceneSize {
+    pub(crate) spheres: usize,
+    pub(crate) triangles: usize,
+    pub(crate) geometries: usize,
+}
+
+impl SceneSize {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let (spheres, triangles) = (scene.sphere_count(), scene.triangle_count());
+        Self { spheres, triangles, geometries: scene.geometries().len() }
+    }
+}
+
+/// Rays that the first tier left open. The tiers in `f32` decide every ray, so all are 0.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Undecided {
+    pub(crate) first_tier: u64,
+    pub(crate) after_refine: u64,
+    pub(crate) resolved_on_cpu: u64,
+}
+
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub(crate) struct Seconds {
+    pub(crate) load: f64,
+    pub(crate) build: f64,
+    pub(crate) trace: f64,
+    pub(crate) resolve: f64,
+    pub(crate) total: f64,
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", device(&self.device, &self.driver, &self.notes))?;
+        writeln!(f, "scene   {}", self.scene)?;
+        let (rays, hits) = (grouped(self.rays), grouped(self.hits));
+        write!(f, "rays    {rays} ({}, {}), {hits} hit", self.query, self.precision)?;
+        if self.invalid_rays > 0 {
+            write!(f, ", {} invalid taken as misses", grouped(self.invalid_rays))?;
+        }
+        if self.rounded_values > 0 {
+            write!(f, ", {} values rounded from float64 to float32", grouped(self.rounded_values))?;
+        }
+        let Seconds { load, build, trace, total, .. } = self.seconds;
+        let rate = rate(self.rays_per_second);
+        write!(f, "\ntime    {total:.2} s: load {load:.2}, build {build:.2}, trace {trace:.2} ({rate} rays/s)")?;
+        if self.checked > 0 {
+            let [checked, within, wrong] = [self.checked, self.within_promise, self.disagreed].map(grouped);
+            write!(
+                f,
+                "\ncheck   {checked} rays against exact arithmetic: {wrong} disagree, {within} are not exact but within the promise"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for SceneSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = [(self.triangles, "triangle", "s"), (self.spheres, "sphere", "s")];
+        let mut text = String::new();
+        for (count, one, many) in parts {
+            if count > 0 {
+                let _ = write!(text, "{} {one}{}, ", grouped(count as u64), if count == 1 { "" } else { many });
+            }
+        }
+        let ending = if self.geometries == 1 { "y" } else { "ies" };
+        write!(f, "{text}{} geometr{ending}", self.geometries)
+    }
+}
+
+/// The lines that say what ran.
+pub(crate) fn device_lines(info: &DeviceInfo) -> String {
+    device(&info.name, &info.driver, &info.notes)
+}
+
+fn device(name: &str, driver: &str, notes: &[String]) -> String {
+    let mut text = format!("device  {name}; driver {driver}\n");
+    for note in notes {
+        let _ = writeln!(text, "note    {note}");
+    }
+    text
+}
+
+/// `1234567` as `1,234,567`.
+pub(crate) fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// `12345678.9` as `12.3 M`.
+pub(crate) fn rate(per_second: f64) -> String {
+    match per_second {
+        r if r >= 1e9 => format!("{:.2} G", r / 1e9),
+        r if r >= 1e6 => format!("{:.1} M", r / 1e6),
+        r if r >= 1e3 => format!("{:.1} k", r / 1e3),
+        r => format!("{r:.0}"),
+    }
+}

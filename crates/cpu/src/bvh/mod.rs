@@ -1,0 +1,4 @@
+//! Twins of `shaders/bvh/`.
+
+pub(crate) mod slab;
+pub(crate) mod traverse;

@@ -1,0 +1,124 @@
+//! Twin of `shaders/bvh/slab.wgsl`.
+
+use glam::{BVec3, Vec3, Vec4};
+use rayproof_scene::MISS;
+use rayproof_scene::bvh::Node;
+
+use crate::batch::Params;
+use crate::math::{exponent_of, largest, power_of_two};
+
+const SMALLEST_DIRECTION: f32 = power_of_two(-62);
+pub(crate) const FARTHEST: f32 = power_of_two(127);
+const NARROW: f32 = 1.0 - 16.0 * power_of_two(-23);
+const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
+pub(crate) const NOT_HIT: f32 = 3.0e38;
+
+/// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WideNode {
+    low: [Vec4; 3],
+    high: [Vec4; 3],
+    pub(crate) children: [u32; 4],
+}
+
+impl WideNode {
+    pub(crate) fn new(node: &Node) -> Self {
+        let boxes = [0, 1, 2, 3].map(|k| node.child_box(k));
+        let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
+        Self {
+            low: [planes(0, 0), planes(0, 1), planes(0, 2)],
+            high: [planes(1, 0), planes(1, 1), planes(1, 2)],
+            children: node.children,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoxRay {
+    from_low: Vec3,
+    from_high: Vec3,
+    inverse: Vec3,
+    s_min: f32,
+    slack: f32,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UnitDirection {
+    pub(crate) direction: Vec3,
+    pub(crate) exponent: i32,
+}
+
+#[inline(always)]
+pub(crate) fn unit_direction(direction: Vec3) -> UnitDirection {
+    let mut d = direction;
+    let mut exponent = 0;
+    if largest(d) < power_of_two(-100) {
+        d *= power_of_two(100);
+        exponent = -100;
+    }
+    let shift = exponent_of(largest(d)) - 1;
+    UnitDirection { direction: d * power_of_two(-shift), exponent: exponent + shift }
+}
+
+#[inline(always)]
+pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32) -> BoxRay {
+    let limit = power_of_two(126);
+    let o = Vec3::from(origin.to_array().map(|x| x.clamp(-limit, limit)));
+    let reach = largest(o) + params.scene_size;
+    let still: BVec3 = direction.abs().cmplt(Vec3::splat(SMALLEST_DIRECTION));
+    let moved = Vec3::select(still, Vec3::splat(SMALLEST_DIRECTION), direction);
+    let wide = Vec3::splat(reach * power_of_two(-50)).max(o.abs() * power_of_two(-22));
+    BoxRay {
+        from_low: Vec3::select(still, o + wide, o),
+        from_high: Vec3::select(still, o - wide, o),
+        inverse: Vec3::ONE / moved,
+        s_min,
+        slack: params.scene_size * power_of_two(-40),
+    }
+}
+
+#[inline(always)]
+pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Vec4 {
+    let ax = (node.low[0] - ray.from_low.x) * ray.inverse.x;
+    let bx = (node.high[0] - ray.from_high.x) * ray.inverse.x;
+    let ay = (node.low[1] - ray.from_low.y) * ray.inverse.y;
+    let by = (node.high[1] - ray.from_high.y) * ray.inverse.y;
+    let az = (node.low[2] - ray.from_low.z) * ray.inverse.z;
+    let bz = (node.high[2] - ray.from_high.z) * ray.inverse.z;
+    let enter = ax.min(bx).max(ay.min(by)).max(az.min(bz));
+    let leave = ax.max(bx).min(ay.max(by)).min(az.max(bz));
+    let near = ((enter * NARROW).min(enter * WIDEN) - ray.slack).max(Vec4::splat(-FARTHEST));
+    let far = (leave * NARROW).max(leave * WIDEN) + ray.slack;
+    let met = near.cmple(far) & near.cmple(Vec4::splat(s_max)) & far.cmpge(Vec4::splat(ray.s_min));
+    let mut slot = 0;
+    let key = near.to_array().map(|x| {
+        let key = f32::from_bits((x.to_bits() & !3) | slot);
+        slot += 1;
+        key
+    });
+    let there = glam::BVec4A::from_array(node.children.map(|word| word != MISS));
+    Vec4::select(met & there, Vec4::from_array(key), Vec4::splat(NOT_HIT))
+}
+
+#[inline(always)]
+pub(crate) fn sorted(keys: Vec4) -> [f32; 4] {
+    let [x, y, z, w] = keys.to_array();
+    let low = [less(x, y), less(z, w)];
+    let high = [more(x, y), more(z, w)];
+    let first = less(low[0], low[1]);
+    let last = more(high[0], high[1]);
+    let a = more(low[0], low[1]);
+    let b = less(high[0], high[1]);
+    [first, less(a, b), more(a, b), last]
+}
+
+/// The smaller of two numbers, neither a NaN: one instruction, where `f32::min` takes four.
+#[inline(always)]
+fn less(x: f32, y: f32) -> f32 {
+    if x < y { x } else { y }
+}
+
+#[inline(always)]
+fn more(x: f32, y: f32) -> f32 {
+    if x > y { x } else { y }
+}

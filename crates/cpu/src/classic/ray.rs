@@ -1,0 +1,22 @@
+//! Twin of `shaders/classic/ray.wgsl`.
+
+use glam::Vec3;
+use rayproof_scene::Ray;
+
+use crate::batch::{Params, TierRay};
+use crate::bvh::slab::UnitDirection;
+use crate::math::scale_by_power;
+
+#[inline(always)]
+pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> TierRay {
+    let n = params.scene_exponent;
+    let origin = Vec3::from(ray.origin.to_array().map(|x| scale_by_power(x, n)));
+    TierRay {
+        origin,
+        direction: ray.direction,
+        t_min: scale_by_power(ray.t_min, n),
+        t_max: scale_by_power(ray.t_max, n),
+        box_exponent: unit.exponent,
+        out_exponent: -n,
+    }
+}

@@ -1,0 +1,99 @@
+use rayon::prelude::*;
+use rayproof_scene::bvh::{Bvh, Tier};
+use rayproof_scene::{Hit, Ray};
+
+use crate::batch::Params;
+use crate::bvh::slab::WideNode;
+use crate::bvh::traverse::{Stack, stack, traverse};
+use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles};
+use crate::{classic, fast};
+
+/// Rays one task takes: enough to hide its start, few enough to share out the last.
+const TASK: usize = 4096;
+
+/// A tree ready to be walked, and the tier whose formulas run at its leaves.
+#[derive(Clone, Debug)]
+pub struct Engine {
+    bvh: Bvh,
+    nodes: Vec<WideNode>,
+    params: Params,
+    tier: Tier,
+}
+
+/// One kernel: the tier's three functions over the leaves the scene has.
+macro_rules! kernel {
+    ($engine:expr, $ray:expr, $stack:expr, $any:expr, $tier:ident, $leaf:expr) => {
+        traverse::<$any>(&$engine.params, &$engine.nodes, $stack, $ray, $tier::tier_ray, $leaf)
+    };
+}
+
+/// The three kernels of a tier, chosen by what the scene holds.
+macro_rules! tier {
+    ($engine:expr, $ray:expr, $stack:expr, $any:expr, $tier:ident) => {{
+        let bvh = &$engine.bvh;
+        let triangles = |ray: &_, word, hit| {
+            intersect_triangles(&bvh.triangles, ray, word, hit, $tier::intersect_triangle)
+        };
+        let spheres = |ray: &_, word, hit| {
+            intersect_spheres(&bvh.spheres, &bvh.sphere_ids, ray, word, hit, $tier::intersect_sphere)
+        };
+        if bvh.spheres.is_empty() {
+            kernel!($engine, $ray, $stack, $any, $tier, triangles)
+        } else if bvh.triangles.is_empty() {
+            kernel!($engine, $ray, $stack, $any, $tier, spheres)
+        } else {
+            kernel!($engine, $ray, $stack, $any, $tier, |ray: &_, word, hit| {
+                if word & SPHERES == 0 { triangles(ray, word, hit) } else { spheres(ray, word, hit) }
+            })
+        }
+    }};
+}
+
+impl Engine {
+    /// Makes a tree ready for the formulas of `tier`, for which it was scaled.
+    #[must_use]
+    pub fn new(bvh: Bvh, tier: Tier) -> Self {
+        let nodes = bvh.nodes.par_iter().map(WideNode::new).collect();
+        let params = Params::new(&bvh);
+        Self { bvh, nodes, params, tier }
+    }
+
+    /// The closest hit of each ray, in the rays' order.
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) {
+        self.batch(rays, hits, |ray, stack| {
+            let hit = self.trace::<false>(ray, stack);
+            if hit.is_hit() { hit } else { Hit::MISS }
+        });
+    }
+
+    /// Whether each ray hits anything: 1 or 0.
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn any(&self, rays: &[Ray], hits: &mut [u8]) {
+        self.batch(rays, hits, |ray, stack| u8::from(self.trace::<true>(ray, stack).is_hit()));
+    }
+
+    fn batch<A: Send>(&self, rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray, &mut Stack) -> A + Sync) {
+        assert_eq!(rays.len(), answers.len(), "one answer a ray");
+        rays.par_chunks(TASK).zip(answers.par_chunks_mut(TASK)).for_each_init(
+            || stack(self.bvh.stack_depth),
+            |stack, (rays, answers)| {
+                for (ray, slot) in rays.iter().zip(answers) {
+                    *slot = answer(ray, stack);
+                }
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn trace<const ANY_HIT: bool>(&self, ray: &Ray, stack: &mut Stack) -> Hit {
+        match self.tier {
+            Tier::Classic => tier!(self, ray, stack, ANY_HIT, classic),
+            Tier::Fast => tier!(self, ray, stack, ANY_HIT, fast),
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Twin of `shaders/fast/ray.wgsl`.
+
+use glam::Vec3;
+use rayproof_scene::Ray;
+
+use crate::batch::{Params, TierRay};
+use crate::bvh::slab::UnitDirection;
+use crate::math::scale_by_power;
+
+#[inline(always)]
+pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> TierRay {
+    let m = params.scene_exponent;
+    let n = unit.exponent + m;
+    let origin = Vec3::from(ray.origin.to_array().map(|x| scale_by_power(x, m)));
+    TierRay {
+        origin,
+        direction: unit.direction,
+        t_min: scale_by_power(ray.t_min, n),
+        t_max: scale_by_power(ray.t_max, n),
+        box_exponent: 0,
+        out_exponent: -n,
+    }
+}

@@ -1,0 +1,37 @@
+//! Twin of `shaders/math.wgsl`.
+
+use glam::Vec3;
+
+#[inline(always)]
+pub(crate) fn dot3(a: Vec3, b: Vec3) -> f32 {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+#[inline(always)]
+pub(crate) fn cross3(a: Vec3, b: Vec3) -> Vec3 {
+    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+}
+
+#[inline(always)]
+#[expect(clippy::cast_sign_loss, reason = "n is at least -126")]
+pub(crate) const fn power_of_two(n: i32) -> f32 {
+    f32::from_bits(((n + 127) as u32) << 23)
+}
+
+#[inline(always)]
+pub(crate) fn scale_by_power(x: f32, n: i32) -> f32 {
+    let m = n.clamp(-252, 252);
+    let half = m >> 1;
+    x * power_of_two(half) * power_of_two(m - half)
+}
+
+#[inline(always)]
+#[expect(clippy::cast_possible_wrap, reason = "nine bits")]
+pub(crate) const fn exponent_of(x: f32) -> i32 {
+    (x.to_bits() >> 23) as i32 - 127
+}
+
+#[inline(always)]
+pub(crate) fn largest(v: Vec3) -> f32 {
+    v.x.abs().max(v.y.abs()).max(v.z.abs())
+}

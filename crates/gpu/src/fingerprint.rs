@@ -1,0 +1,335 @@
+//! The device's `f32` arithmetic, measured.
+
+use std::fmt;
+
+use bytemuck::{Pod, Zeroable};
+
+use crate::Error;
+use crate::gpu::Gpu;
+use crate::kernel::shaders;
+use crate::link::Linked;
+
+/// How a kernel reaches the driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Route {
+    /// naga's SPIR-V with `NoContraction` and float controls, passed through wgpu.
+    ExactSpirv,
+    /// WGSL as wgpu compiles it: the driver may rewrite arithmetic.
+    PlainWgsl,
+}
+
+impl Route {
+    /// Every route.
+    pub const ALL: [Self; 2] = [Self::ExactSpirv, Self::PlainWgsl];
+}
+
+impl fmt::Display for Route {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::ExactSpirv => "SPIR-V with NoContraction",
+            Self::PlainWgsl => "plain WGSL",
+        })
+    }
+}
+
+/// 2^-64: it makes small numbers subnormal.
+const SMALL: f32 = f32::from_bits((127 - 64) << 23);
+
+/// Pairs of numbers tried.
+const PAIRS: usize = 1 << 14;
+
+/// How often each operation differed from IEEE 754's answer, of [`pairs`](Self::pairs) pairs of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fingerprint {
+    /// The route measured.
+    pub route: Route,
+    /// How many pairs were tried.
+    pub pairs: usize,
+    /// Sums that are not the nearest number.
+    pub sum_wrong: usize,
+    /// Products that are not the nearest number.
+    pub product_wrong: usize,
+    /// Sums' errors (TwoSum) that did not survive the compiler.
+    pub sum_error_wrong: usize,
+    /// Products' errors (TwoProduct by halves) that did not survive.
+    pub product_error_wrong: usize,
+    /// Differences of two products that are not what three roundings give.
+    pub contracted: usize,
+    /// Quotients that are not the nearest number, and the largest distance in ULP.
+    pub quotient_wrong: usize,
+    /// The largest distance of a quotient, in ULP of numbers.
+    pub quotient_ulp: u32,
+    /// Square roots that are not the nearest number.
+    pub root_wrong: usize,
+    /// The largest distance of a square root, in ULP of numbers.
+    pub root_ulp: u32,
+    /// `fma` results that are fused.
+    pub fused: usize,
+    /// Comparisons, NaN among them, that IEEE answers otherwise.
+    pub comparisons_wrong: usize,
+    /// Subnormal results that were flushed or are wrong, of [`subnormals`](Self::subnormals).
+    pub subnormals_wrong: usize,
+    /// How many subnormal results were asked for.
+    pub subnormals: usize,
+}
+
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Results {
+    sum: f32,
+    sum_error: f32,
+    product: f32,
+    product_error: f32,
+    contracted: f32,
+    quotient: f32,
+    root: f32,
+    fma_error: f32,
+    comparisons: u32,
+    scaled: f32,
+}
+
+impl Fingerprint {
+    /// Runs the check kernel on a device.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn measure(gpu: &Gpu, route: Route) -> Result<Self, Error> {
+        let pairs = pairs();
+        Ok(Self::judge(route, &pairs, &run(gpu, route, &pairs)?))
+    }
+
+    /// Whether kernels on this route give the CPU's bits: every operation they use is IEEE's, unfused, and survives.
+    #[must_use]
+    pub const fn is_ieee(&self) -> bool {
+        self.sum_wrong == 0
+            && self.product_wrong == 0
+            && self.contracted == 0
+            && self.quotient_wrong == 0
+            && self.root_wrong == 0
+            && self.comparisons_wrong == 0
+            && self.subnormals_wrong == 0
+    }
+
+    /// Whether error-free transforms survive.
+    #[must_use]
+    pub const fn keeps_errors(&self) -> bool {
+        self.sum_error_wrong == 0 && self.product_error_wrong == 0
+    }
+
+    fn judge(route: Route, pairs: &[[f32; 2]], results: &[Results]) -> Self {
+        let mut f = Self {
+            route,
+            pairs: pairs.len(),
+            sum_wrong: 0,
+            product_wrong: 0,
+            sum_error_wrong: 0,
+            product_error_wrong: 0,
+            contracted: 0,
+            quotient_wrong: 0,
+            quotient_ulp: 0,
+            root_wrong: 0,
+            root_ulp: 0,
+            fused: 0,
+            comparisons_wrong: 0,
+            subnormals_wrong: 0,
+            subnormals: 0,
+        };
+        for (&[x, y], r) in pairs.iter().zip(results) {
+            f.comparisons_wrong += usize::from(r.comparisons != comparisons(x, y));
+            if x.is_nan() || y.is_nan() {
+                continue;
+            }
+            f.see_subnormal(x * SMALL, r.scaled);
+            f.see_subnormal(x * y, r.product);
+            if !ordinary(x) || !ordinary(y) {
+                continue;
+            }
+            f.sum_wrong += usize::from(differ(x + y, r.sum));
+            f.sum_error_wrong += usize::from(differ(sum_error(x, y), r.sum_error));
+            f.product_wrong += usize::from(differ(x * y, r.product));
+            f.product_error_wrong += usize::from(differ(product_error(x, y), r.product_error));
+            f.contracted += usize::from(differ(x * y - (y * x) * 1.000_000_1, r.contracted));
+            f.quotient_wrong += usize::from(differ(x / y, r.quotient));
+            f.quotient_ulp = f.quotient_ulp.max((x / y).to_bits().abs_diff(r.quotient.to_bits()));
+            f.root_wrong += usize::from(differ(x.abs().sqrt(), r.root));
+            f.root_ulp = f.root_ulp.max(x.abs().sqrt().to_bits().abs_diff(r.root.to_bits()));
+            f.fused += usize::from(r.fma_error != 0.0);
+        }
+        f
+    }
+
+    fn see_subnormal(&mut self, right: f32, measured: f32) {
+        if right.is_subnormal() {
+            self.subnormals += 1;
+            self.subnormals_wrong += usize::from(differ(right, measured));
+        }
+    }
+}
+
+fn differ(right: f32, measured: f32) -> bool {
+    right.to_bits() != measured.to_bits() && !(right == 0.0 && measured == 0.0)
+}
+
+fn comparisons(x: f32, y: f32) -> u32 {
+    let at_least = x >= y;
+    u32::from(x < y) | (u32::from(at_least) << 1) | (u32::from(!at_least) << 2)
+}
+
+/// What `x + y` lost: exact in `f64` and an `f32` itself.
+#[expect(clippy::cast_possible_truncation, reason = "the error of a sum is an f32")]
+fn sum_error(x: f32, y: f32) -> f32 {
+    (f64::from(x) + f64::from(y) - f64::from(x + y)) as f32
+}
+
+/// What `x y` lost.
+#[expect(clippy::cast_possible_truncation, reason = "the error of a product is an f32")]
+fn product_error(x: f32, y: f32) -> f32 {
+    (f64::from(x) * f64::from(y) - f64::from(x * y)) as f32
+}
+
+/// Whether sums, products and their errors stay clear of overflow and of subnormals: those are measured apart.
+fn ordinary(x: f32) -> bool {
+    (1e-9..1e9).contains(&x.abs())
+}
+
+/// Pairs with magnitudes from 2^-12 to 2^12, so that sums lose bits and `f64` holds them all; then small ones and NaN.
+fn pairs() -> Vec<[f32; 2]> {
+    let mut state = 0x005e_ed00_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state >> 33
+    };
+    let mut number = |low: u64, span: u64| {
+        let (bits, exponent, sign) = (next() & 0x7f_ffff, low + next() % span, next() & 1);
+        f32::from_bits(u32::try_from((sign << 31) | (exponent << 23) | bits).unwrap_or(0))
+    };
+    let mut pairs: Vec<[f32; 2]> = (0..PAIRS - 512).map(|_| [number(127 - 12, 25), number(127 - 12, 25)]).collect();
+    pairs.extend((0..256).map(|_| [number(127 - 80, 18), number(127 - 70, 8)]));
+    pairs.extend((0..240).map(|_| [number(0, 1), number(127, 1)]));
+    pairs.extend([[f32::NAN, 1.0], [1.0, f32::NAN], [f32::NAN, f32::NAN], [0.0, -0.0]].repeat(4));
+    pairs
+}
+
+fn run(gpu: &Gpu, route: Route, pairs: &[[f32; 2]]) -> Result<Vec<Results>, Error> {
+    use wgpu::BufferUsages as Usage;
+    let mut linked = Linked::default();
+    shaders!(linked, "fingerprint.wgsl");
+    let layout = gpu.layout(0);
+    let pipeline = gpu.pipeline(&linked, "fingerprint", &layout, route)?;
+    let count = u32::try_from(pairs.len()).unwrap_or(u32::MAX);
+    let size = (pairs.len() * size_of::<Results>()) as u64;
+    let params = gpu.buffer_with("count", bytemuck::cast_slice(&[count, 0, 0, 0]), Usage::UNIFORM);
+    let given = gpu.buffer_with("pairs", bytemuck::cast_slice(pairs), Usage::STORAGE);
+    let results = gpu.buffer("results", size, Usage::STORAGE | Usage::COPY_SRC);
+    let readback = gpu.buffer("readback", size, Usage::MAP_READ | Usage::COPY_DST);
+    let bindings = gpu.bind(&layout, [&params, &given, &results]);
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(0, &bindings, &[]);
+        pass.dispatch_workgroups(count.div_ceil(64), 1, 1);
+    }
+    encoder.copy_buffer_to_buffer(&results, 0, &readback, 0, size);
+    let submission = gpu.queue.submit([encoder.finish()]);
+    readback.map_async(wgpu::MapMode::Read, .., |_| ());
+    gpu.wait(submission)?;
+    let view = readback.get_mapped_range(..).map_err(|e| Error::Device(e.to_string()))?;
+    Ok(bytemuck::pod_collect_to_vec(&view))
+}
+
+impl fmt::Display for Fingerprint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let survive = |wrong: usize| match wrong {
+            0 => "survives".to_owned(),
+            n => format!("is lost in {n}"),
+        };
+        let rounded = |wrong: usize, ulp: u32| match wrong {
+            0 => "correctly rounded".to_owned(),
+            n => format!("{n} not nearest, up to {ulp} ULP"),
+        };
+        writeln!(f, "{}, {} pairs:", self.route, self.pairs)?;
+        writeln!(f, "  x + y               {}", rounded(self.sum_wrong, 1))?;
+        writeln!(f, "  x * y               {}", rounded(self.product_wrong, 1))?;
+        writeln!(f, "  x / y               {}", rounded(self.quotient_wrong, self.quotient_ulp))?;
+        writeln!(f, "  sqrt x              {}", rounded(self.root_wrong, self.root_ulp))?;
+        writeln!(f, "  error of x + y      {}", survive(self.sum_error_wrong))?;
+        writeln!(f, "  error of x * y      {}", survive(self.product_error_wrong))?;
+        match self.contracted {
+            0 => writeln!(f, "  x*y - c*(y*x)       as written")?,
+            n => writeln!(f, "  x*y - c*(y*x)       rewritten in {n}")?,
+        }
+        writeln!(f, "  fma                 {}", if self.fused > 0 { "fused" } else { "not fused" })?;
+        match self.comparisons_wrong {
+            0 => writeln!(f, "  comparisons, NaN    IEEE")?,
+            n => writeln!(f, "  comparisons, NaN    {n} not IEEE")?,
+        }
+        match self.subnormals_wrong {
+            0 => writeln!(f, "  subnormals          kept, all {}", self.subnormals)?,
+            n => writeln!(f, "  subnormals          {n} of {} not kept", self.subnormals)?,
+        }
+        write!(f, "  verdict             {}", if self.is_ieee() { "IEEE: the CPU's bits" } else { "not IEEE" })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a device that follows IEEE and does not fuse would answer.
+    fn ieee(pairs: &[[f32; 2]]) -> Vec<Results> {
+        pairs
+            .iter()
+            .map(|&[x, y]| Results {
+                sum: x + y,
+                sum_error: sum_error(x, y),
+                product: x * y,
+                product_error: product_error(x, y),
+                contracted: x * y - (y * x) * 1.000_000_1,
+                quotient: x / y,
+                root: x.abs().sqrt(),
+                fma_error: 0.0,
+                comparisons: comparisons(x, y),
+                scaled: x * SMALL,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_faithful_device_passes_and_each_fault_is_seen() {
+        let pairs = pairs();
+        assert_eq!(pairs.len(), PAIRS);
+        let right = Fingerprint::judge(Route::ExactSpirv, &pairs, &ieee(&pairs));
+        assert!(right.is_ieee() && right.keeps_errors() && right.fused == 0, "{right}");
+        assert!(right.subnormals > 400, "{} subnormal results", right.subnormals);
+        type Fault = (fn(&mut Results), fn(&Fingerprint) -> usize);
+        let faults: [Fault; 9] = [
+            (|r| r.sum = r.sum.next_up(), |f| f.sum_wrong),
+            (|r| r.sum_error = 0.0, |f| f.sum_error_wrong),
+            (|r| r.product = r.product.next_down(), |f| f.product_wrong),
+            (|r| r.product_error = 0.0, |f| f.product_error_wrong),
+            (|r| r.contracted += 1.0, |f| f.contracted),
+            (|r| r.quotient = r.quotient.next_up(), |f| f.quotient_wrong),
+            (|r| r.root = r.root.next_up(), |f| f.root_wrong),
+            (|r| r.comparisons ^= 4, |f| f.comparisons_wrong),
+            (|r| r.scaled = if r.scaled.is_subnormal() { 0.0 } else { r.scaled }, |f| f.subnormals_wrong),
+        ];
+        for (i, (damage, count)) in faults.into_iter().enumerate() {
+            let mut results = ieee(&pairs);
+            results.iter_mut().for_each(damage);
+            let f = Fingerprint::judge(Route::ExactSpirv, &pairs, &results);
+            assert!(count(&f) > 100, "fault {i}: {f}");
+            assert!(!(f.is_ieee() && f.keeps_errors()), "fault {i}");
+        }
+    }
+
+    #[test]
+    fn a_fused_device_is_told() {
+        let pairs = pairs();
+        let mut results = ieee(&pairs);
+        for (r, [x, y]) in results.iter_mut().zip(&pairs) {
+            r.fma_error = x.mul_add(*y, -(x * y));
+        }
+        assert!(Fingerprint::judge(Route::ExactSpirv, &pairs, &results).fused > PAIRS / 2);
+    }
+}

@@ -1,0 +1,295 @@
+//! Opening an adapter, and what every kernel on it needs.
+
+use std::sync::{Arc, Mutex};
+
+use crate::Error;
+use crate::adapter::{driver, kind};
+use crate::fingerprint::{Fingerprint, Route};
+use crate::float_controls;
+use crate::link::Linked;
+use crate::spirv::{self, FloatControls};
+
+/// Which adapter to open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Selector {
+    /// A hardware GPU, a discrete one first; never a software adapter.
+    Hardware,
+    /// The best there is, a software adapter last.
+    Best,
+    /// The one of that number in the list.
+    Index(usize),
+    /// The first whose name holds that text, letter case aside.
+    Name(String),
+    /// The one on that PCI bus.
+    Pci(String),
+}
+
+/// An open device, with its arithmetic measured.
+pub struct Gpu {
+    pub(crate) device: wgpu::Device,
+    pub(crate) queue: wgpu::Queue,
+    info: wgpu::AdapterInfo,
+    limits: wgpu::Limits,
+    controls: FloatControls,
+    route: Route,
+    fingerprint: Option<Fingerprint>,
+    failure: Arc<Mutex<Option<String>>>,
+    max_binding: u64,
+}
+
+pub(crate) fn instance() -> wgpu::Instance {
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = wgpu::Backends::VULKAN;
+    // Validation layers cost what they find; WGPU_VALIDATION and friends still ask for them.
+    descriptor.flags = wgpu::InstanceFlags::empty().with_env();
+    wgpu::Instance::new(descriptor)
+}
+
+impl Gpu {
+    /// Opens an adapter and measures its arithmetic on the route that kernels take.
+    ///
+    /// `WGPU_ADAPTER_NAME` narrows [`Selector::Hardware`] and [`Selector::Best`] as it does in every wgpu program.
+    ///
+    /// # Errors
+    /// When there is no such adapter (the message lists those there are), or it cannot be opened.
+    pub fn open(selector: &Selector) -> Result<Self, Error> {
+        let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::VULKAN));
+        let infos: Vec<wgpu::AdapterInfo> = adapters.iter().map(wgpu::Adapter::get_info).collect();
+        let index = choose(&infos, selector)?;
+        let mut gpu = Self::open_adapter(&adapters[index])?;
+        gpu.fingerprint = Some(Fingerprint::measure(&gpu, gpu.route)?);
+        Ok(gpu)
+    }
+
+    fn open_adapter(adapter: &wgpu::Adapter) -> Result<Self, Error> {
+        let features = adapter.features() & wgpu::Features::PASSTHROUGH_SHADERS;
+        let limits = adapter.limits();
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("rayproof"),
+            required_features: features,
+            required_limits: limits.clone(),
+            memory_hints: wgpu::MemoryHints::Performance,
+            ..Default::default()
+        };
+        let (device, queue) =
+            pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| Error::Device(e.to_string()))?;
+        let failure = Arc::new(Mutex::new(None));
+        let note = |failure: Arc<Mutex<Option<String>>>, text: String| {
+            if let Ok(mut slot) = failure.lock() {
+                slot.get_or_insert(text);
+            }
+        };
+        let slot = failure.clone();
+        device.on_uncaptured_error(Arc::new(move |e: wgpu::Error| note(slot.clone(), e.to_string())));
+        let slot = failure.clone();
+        device.set_device_lost_callback(move |reason, text| {
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                note(slot.clone(), format!("the device was lost: {text}"));
+            }
+        });
+        let route =
+            if features.contains(wgpu::Features::PASSTHROUGH_SHADERS) { Route::ExactSpirv } else { Route::PlainWgsl };
+        let max_binding = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
+        let controls = float_controls::query(adapter);
+        let info = adapter.get_info();
+        Ok(Self { device, queue, info, limits, controls, route, fingerprint: None, failure, max_binding })
+    }
+
+    /// The adapter's name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.info.name
+    }
+
+    /// The driver and its version.
+    #[must_use]
+    pub fn driver(&self) -> String {
+        driver(&self.info)
+    }
+
+    /// How kernels reach the driver.
+    #[must_use]
+    pub const fn route(&self) -> Route {
+        self.route
+    }
+
+    /// The arithmetic as kernels run it.
+    #[must_use]
+    pub const fn fingerprint(&self) -> Option<&Fingerprint> {
+        self.fingerprint.as_ref()
+    }
+
+    /// Lowers the largest binding that is used, in bytes, to a power of two of at least 256: to try out scenes that take
+    /// more bindings than one.
+    pub fn limit_binding(&mut self, bytes: u64) {
+        self.max_binding = self.max_binding.min(bytes.max(256));
+    }
+
+    pub(crate) const fn limits(&self) -> &wgpu::Limits {
+        &self.limits
+    }
+
+    pub(crate) const fn max_binding(&self) -> u64 {
+        self.max_binding
+    }
+
+    /// The first error the driver reported, if any.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        match self.failure.lock() {
+            Ok(slot) => slot.clone().map_or(Ok(()), |text| Err(Error::Device(text))),
+            Err(_) => Err(Error::Device("its error handler panicked".to_owned())),
+        }
+    }
+
+    /// Waits for a submission and everything before it.
+    pub(crate) fn wait(&self, submission: wgpu::SubmissionIndex) -> Result<(), Error> {
+        let wait = wgpu::PollType::Wait { submission_index: Some(submission), timeout: None };
+        self.device.poll(wait).map_err(|e| Error::Device(e.to_string()))?;
+        self.check()
+    }
+
+    pub(crate) fn buffer(&self, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+    }
+
+    pub(crate) fn buffer_with(&self, label: &str, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        use wgpu::util::DeviceExt as _;
+        self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents: bytes, usage })
+    }
+
+    /// Compiles one entry point. Buffers are bound in order: the first `uniform`, if so, `writable` ones by index.
+    pub(crate) fn pipeline(
+        &self,
+        linked: &Linked,
+        entry: &str,
+        layout: &wgpu::BindGroupLayout,
+        route: Route,
+    ) -> Result<wgpu::ComputePipeline, Error> {
+        let (module, info) = linked.validate()?;
+        let shader = match route {
+            Route::ExactSpirv => self.passthrough(&spirv::exact(&module, &info, self.controls)?, entry, &module),
+            Route::PlainWgsl => self.plain(linked.source()),
+        };
+        let layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(entry),
+            bind_group_layouts: &[Some(layout)],
+            immediate_size: 0,
+        });
+        let pipeline = self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(entry),
+            layout: Some(&layout),
+            module: &shader,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        self.check()?;
+        Ok(pipeline)
+    }
+
+    #[expect(unsafe_code, reason = "wgpu cannot check SPIR-V; naga has validated the module it was written from")]
+    fn passthrough(&self, words: &[u32], entry: &str, module: &naga::Module) -> wgpu::ShaderModule {
+        let size = module.entry_points.iter().find(|e| e.name == entry).map_or([1; 3], |e| e.workgroup_size);
+        let entry_points = [wgpu::PassthroughShaderEntryPoint {
+            name: entry.into(),
+            workgroup_size: (size[0], size[1], size[2]),
+        }];
+        // SAFETY: the words are naga's translation of a validated module, decorated; indices into the scene come from
+        // our own tree and ray indices are compared with the count.
+        unsafe {
+            self.device.create_shader_module_passthrough(wgpu::ShaderModuleDescriptorPassthrough {
+                label: Some(entry),
+                entry_points: entry_points.as_slice().into(),
+                spirv: Some(words.into()),
+                ..Default::default()
+            })
+        }
+    }
+
+    fn plain(&self, source: &str) -> wgpu::ShaderModule {
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("plain WGSL"),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        })
+    }
+
+    /// The layout of a kernel's buffers: uniform parameters, one read, one written, then `read` more to read.
+    pub(crate) fn layout(&self, read: u32) -> wgpu::BindGroupLayout {
+        let storage = |read_only| wgpu::BufferBindingType::Storage { read_only };
+        let entry = |binding| wgpu::BindGroupLayoutEntry {
+            binding,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer {
+                ty: match binding {
+                    0 => wgpu::BufferBindingType::Uniform,
+                    2 => storage(false),
+                    _ => storage(true),
+                },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        };
+        let entries: Vec<_> = (0..3 + read).map(entry).collect();
+        self.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries })
+    }
+
+    pub(crate) fn bind<'a>(
+        &self,
+        layout: &wgpu::BindGroupLayout,
+        buffers: impl IntoIterator<Item = &'a wgpu::Buffer>,
+    ) -> wgpu::BindGroup {
+        let entries: Vec<_> = (0..)
+            .zip(buffers)
+            .map(|(binding, buffer)| wgpu::BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+}
+
+/// The adapter that was asked for.
+fn choose(infos: &[wgpu::AdapterInfo], selector: &Selector) -> Result<usize, Error> {
+    use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, Other, VirtualGpu};
+    let holds = |name: &str, part: &str| name.to_lowercase().contains(&part.to_lowercase());
+    let wanted_name = std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
+    let best = |kinds: &[wgpu::DeviceType]| {
+        kinds.iter().find_map(|kind| {
+            infos.iter().position(|info| {
+                info.device_type == *kind && wanted_name.as_ref().is_none_or(|name| holds(&info.name, name))
+            })
+        })
+    };
+    let (found, wanted) = match selector {
+        Selector::Hardware => {
+            (best(&[DiscreteGpu, IntegratedGpu, VirtualGpu, Other]), "no hardware GPU was found".to_owned())
+        }
+        Selector::Best => {
+            (best(&[DiscreteGpu, IntegratedGpu, VirtualGpu, Other, Cpu]), "no Vulkan adapter was found".to_owned())
+        }
+        Selector::Index(index) => ((*index < infos.len()).then_some(*index), format!("there is no adapter {index}")),
+        Selector::Name(name) => (
+            infos.iter().position(|info| holds(&info.name, name)),
+            format!("no adapter's name holds \"{name}\""),
+        ),
+        Selector::Pci(bus) => (
+            infos.iter().position(|info| info.device_pci_bus_id.eq_ignore_ascii_case(bus)),
+            format!("no adapter is on PCI bus {bus}"),
+        ),
+    };
+    found.ok_or_else(|| Error::NoAdapter { wanted, there: listing(infos) })
+}
+
+/// One line an adapter, as people choose them.
+fn listing(infos: &[wgpu::AdapterInfo]) -> String {
+    if infos.is_empty() {
+        return "there are none (is a Vulkan driver installed?); `cpu` is always there".to_owned();
+    }
+    let lines = infos.iter().enumerate().map(|(index, info)| {
+        let bus = match info.device_pci_bus_id.as_str() {
+            "" => String::new(),
+            bus => format!(", pci:{bus}"),
+        };
+        format!("\n  index:{index}  {} ({}{bus})", info.name, kind(info))
+    });
+    format!("there are `cpu` and:{}", lines.collect::<String>())
+}

@@ -1,0 +1,24 @@
+use rayproof_scene::bvh::TooLarge;
+
+/// Why an intersector could not be made or could not go on.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The device asked for is not there. The message lists those that are.
+    #[error("{0}")]
+    NoDevice(String),
+    /// The device failed, or cannot hold the scene.
+    #[error("{0}")]
+    Device(#[source] rayproof_gpu::Error),
+    /// More primitives than a tree can number.
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
+}
+
+impl From<rayproof_gpu::Error> for Error {
+    fn from(error: rayproof_gpu::Error) -> Self {
+        match error {
+            rayproof_gpu::Error::NoAdapter { .. } => Self::NoDevice(error.to_string()),
+            other => Self::Device(other),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! The bounding volume hierarchy that both engines walk: four children a node, boxes on an exact grid.
+//!
+//! Topology comes from `obvhs` (PLOC and reinsertion); boxes, layout and their conservativeness are ours:
+//!
+//! * A leaf's box is the exact box of its triangles, or of its spheres rounded outward.
+//! * A node stores its children's boxes as bytes on a grid `origin + q step`, `step` a power of two and `origin` a
+//!   multiple of it no larger than `2^24 step`, so decoding is exact in `f32`: nothing but the slab test can round, and
+//!   `shaders/bvh/slab.wgsl` derives the pad that covers it.
+
+mod build;
+mod node;
+mod pack;
+
+pub use node::{Child, EMPTY, Node};
+pub use pack::PackedTriangle;
+
+use crate::{Scene, Sphere};
+
+/// A scene made ready for traversal: the tree, and its primitives in leaf order.
+///
+/// Coordinates are those of the scene times `2^scale_exponent` (exact; see [`Bvh::new`]).
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    /// The nodes; the root is the first. A scene without primitives has a root of four empty children.
+    pub nodes: Vec<Node>,
+    /// The triangles that leaves name, with their flat numbers.
+    pub triangles: Vec<PackedTriangle>,
+    /// The spheres that leaves name.
+    pub spheres: Vec<Sphere>,
+    /// The flat number of each of `spheres`.
+    pub sphere_ids: Vec<u32>,
+    /// The scene was multiplied by two to this.
+    pub scale_exponent: i32,
+    /// A power of two that no coordinate of a box exceeds in magnitude, after scaling.
+    pub size: f32,
+    /// How many entries a traversal's stack can come to hold.
+    pub stack_depth: usize,
+}
+
+/// Whether a scene's coordinates are scaled before they are packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scaling {
+    /// As they are, for the formulas by the book; but down to `2^100`, beyond which boxes could not be decoded.
+    None,
+    /// By a power of two that brings the largest coordinate between `2^-20` and `2^20`, so that products of three
+    /// lengths neither overflow nor underflow; less where a small coordinate would lose bits. Always exact.
+    PowerOfTwo,
+}
+
+/// How hits are computed: which formulas run at the leaves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Tier {
+    /// The two formulas by the book in `f32`: the baseline that the report measures.
+    Classic,
+    /// `f32`, the best-conditioned single-precision form of each.
+    #[default]
+    Fast,
+}
+
+impl Tier {
+    /// How a tree for this tier is scaled.
+    #[must_use]
+    pub const fn scaling(self) -> Scaling {
+        match self {
+            Self::Classic => Scaling::None,
+            Self::Fast => Scaling::PowerOfTwo,
+        }
+    }
+}
+
+impl Bvh {
+    /// Builds the tree over all primitives, triangles and spheres together, on all cores.
+    ///
+    /// # Errors
+    /// When the scene has more than 2^28 - 1 triangles or spheres, or 2^32 - 1 primitives: what a child can name.
+    pub fn new(scene: &Scene, scaling: Scaling) -> Result<Self, TooLarge> {
+        let primitives = scene.len();
+        if scene.triangle_count().max(scene.sphere_count()) >= node::MAX_FIRST || primitives >= u32::MAX as usize {
+            return Err(TooLarge { primitives });
+        }
+        let packed = pack::Packed::new(scene, scaling);
+        Ok(build::build(packed))
+    }
+}
+
+/// A scene with more primitives than a tree can number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the scene has {primitives} primitives; a tree can hold up to 268,435,454 triangles and as many spheres")]
+pub struct TooLarge {
+    /// How many primitives the scene has.
+    pub primitives: usize,
+}

@@ -1,0 +1,199 @@
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+use super::Scaling;
+use crate::{Geometry, Scene, Sphere};
+
+/// A triangle by value, with its flat number. 48 bytes, as on the device.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct PackedTriangle {
+    /// The first vertex.
+    pub a: Vec3,
+    /// The flat number.
+    pub id: u32,
+    /// The second vertex.
+    pub b: Vec3,
+    /// Zero: it fills the record to three times 16 bytes.
+    pub pad0: u32,
+    /// The third vertex.
+    pub c: Vec3,
+    /// Zero.
+    pub pad1: u32,
+}
+
+/// The primitives of a scene, scaled, in the order of their flat numbers, kind by kind.
+pub(super) struct Packed {
+    pub(super) triangles: Vec<PackedTriangle>,
+    pub(super) spheres: Vec<Sphere>,
+    pub(super) sphere_ids: Vec<u32>,
+    pub(super) scale_exponent: i32,
+    pub(super) size: f32,
+}
+
+impl Packed {
+    pub(super) fn new(scene: &Scene, scaling: Scaling) -> Self {
+        let scale_exponent = match scaling {
+            Scaling::None => scale_exponent(scene, FAR),
+            Scaling::PowerOfTwo => scale_exponent(scene, NEAR),
+        };
+        let mut packed = Self {
+            triangles: Vec::with_capacity(scene.triangle_count()),
+            spheres: Vec::with_capacity(scene.sphere_count()),
+            sphere_ids: Vec::with_capacity(scene.sphere_count()),
+            scale_exponent,
+            size: 0.0,
+        };
+        for (index, geometry) in scene.geometries().iter().enumerate() {
+            packed.add(scene.start(index), geometry);
+        }
+        packed.size = power_of_two_above(packed.largest());
+        packed
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "Bvh::new bounds the number of primitives")]
+    fn add(&mut self, start: usize, geometry: &Geometry) {
+        let (first, second) = power_factors(self.scale_exponent);
+        let scaled = |v: Vec3| v * first * second;
+        match geometry {
+            Geometry::Mesh(mesh) => self.triangles.extend((0..mesh.triangles.len()).map(|i| {
+                let t = mesh.triangle(i);
+                let id = (start + i) as u32;
+                PackedTriangle { a: scaled(t.a), id, b: scaled(t.b), pad0: 0, c: scaled(t.c), pad1: 0 }
+            })),
+            Geometry::Spheres(spheres) => {
+                self.spheres.extend(spheres.iter().map(|s| Sphere {
+                    center: scaled(s.center),
+                    radius: s.radius * first * second,
+                }));
+                self.sphere_ids.extend((0..spheres.len()).map(|i| (start + i) as u32));
+            }
+        }
+    }
+
+    /// The largest magnitude a box can reach.
+    fn largest(&self) -> f64 {
+        let triangles = self.triangles.iter().map(|t| f64::from(largest(t.a).max(largest(t.b)).max(largest(t.c))));
+        let spheres = self.spheres.iter().map(|s| f64::from(largest(s.center)) + f64::from(s.radius));
+        triangles.chain(spheres).fold(0.0, f64::max)
+    }
+
+    /// The box of triangle `i`: exact.
+    pub(super) fn triangle_box(&self, i: usize) -> [Vec3; 2] {
+        let t = &self.triangles[i];
+        [t.a.min(t.b).min(t.c), t.a.max(t.b).max(t.c)]
+    }
+
+    /// The box of sphere `i`: `c - r` and `c + r`, one step outward of the nearest, so that no rounding shrinks it.
+    pub(super) fn sphere_box(&self, i: usize) -> [Vec3; 2] {
+        let s = &self.spheres[i];
+        let low = (s.center - s.radius).to_array().map(f32::next_down);
+        let high = (s.center + s.radius).to_array().map(f32::next_up);
+        [Vec3::from(low).max(Vec3::MIN), Vec3::from(high).min(Vec3::MAX)]
+    }
+}
+
+fn largest(v: Vec3) -> f32 {
+    v.abs().max_element()
+}
+
+/// `2^exponent` as two factors that are each an `f32`: multiplying by one, then the other, is exact where the result is
+/// no subnormal.
+pub(super) fn power_factors(exponent: i32) -> (f32, f32) {
+    let half = exponent / 2;
+    (power_of_two(half), power_of_two(exponent - half))
+}
+
+fn power_of_two(exponent: i32) -> f32 {
+    2.0_f32.powi(exponent)
+}
+
+/// Within these powers of two, products of three lengths are in range.
+const NEAR: [i32; 2] = [-20, 20];
+
+/// Beyond 2^100 boxes cannot be decoded and products of two lengths overflow, whatever the formula.
+const FAR: [i32; 2] = [-149, 100];
+
+/// The power of two that brings the scene's largest coordinate within `range`, or as near to it as no coordinate loses
+/// a bit; but always to 2^100.
+fn scale_exponent(scene: &Scene, range: [i32; 2]) -> i32 {
+    let mut largest = 0.0_f64;
+    let mut smallest = f64::INFINITY;
+    let mut see = |x: f32| {
+        let x = f64::from(x).abs();
+        largest = largest.max(x);
+        if x > 0.0 {
+            smallest = smallest.min(x);
+        }
+    };
+    for geometry in scene.geometries() {
+        match geometry {
+            Geometry::Mesh(mesh) => mesh.vertices.iter().for_each(|v| v.to_array().into_iter().for_each(&mut see)),
+            Geometry::Spheres(spheres) => spheres.iter().for_each(|s| {
+                s.center.to_array().into_iter().for_each(&mut see);
+                see(s.radius);
+            }),
+        }
+    }
+    if largest == 0.0 {
+        return 0;
+    }
+    let exponent = exponent_of(largest);
+    if exponent > range[1] {
+        // Scaling down is exact while the smallest stays at or above 2^-126.
+        let room = (exponent_of(smallest) + 126).max(0);
+        -(exponent - range[1]).min(room).max(exponent - FAR[1])
+    } else {
+        (range[0] - exponent).max(0)
+    }
+}
+
+/// `floor(log2 x)` for a normal, positive `f64`.
+fn exponent_of(x: f64) -> i32 {
+    (x.to_bits() >> 52) as i32 - 1023
+}
+
+/// The smallest power of two above `x`, within `2^-100` and `2^127`.
+fn power_of_two_above(x: f64) -> f32 {
+    let exponent = if x == 0.0 { -100 } else { exponent_of(x) + 1 };
+    power_of_two(exponent.clamp(-100, 127))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Mesh;
+
+    fn scene_of(coordinates: &[f32]) -> Scene {
+        let vertices = coordinates.iter().map(|&x| Vec3::new(x, 0.0, 0.0)).collect();
+        Scene::new(vec![Geometry::Mesh(Mesh { vertices, triangles: vec![] })])
+    }
+
+    #[test]
+    fn ordinary_scenes_are_left_alone() {
+        assert_eq!(scale_exponent(&scene_of(&[1.0, -1000.0]), NEAR), 0);
+        assert_eq!(scale_exponent(&scene_of(&[0.0]), NEAR), 0);
+        assert_eq!(scale_exponent(&scene_of(&[]), NEAR), 0);
+    }
+
+    #[test]
+    fn extremes_are_brought_in_exactly() {
+        for x in [1e30_f32, 1e-30, 1e15, 1e-15, f32::MAX, 1e-45, 1.5e-42] {
+            let exponent = scale_exponent(&scene_of(&[x]), NEAR);
+            let (first, second) = power_factors(exponent);
+            let y = x * first * second;
+            assert!((-20..=20).contains(&exponent_of(f64::from(y))), "{x:e} becomes {y:e}");
+            assert_eq!(f64::from(y), f64::from(x) * 2.0_f64.powi(exponent), "{x:e} is not exact");
+        }
+    }
+
+    #[test]
+    fn small_coordinates_keep_their_bits() {
+        // 2^100 wants 2^-80, but 2^-60 has room for 66 only.
+        let small = f32::from_bits(((127 - 60) << 23) | 1);
+        assert_eq!(scale_exponent(&scene_of(&[2.0_f32.powi(100), small]), NEAR), -66);
+        assert_eq!(scale_exponent(&scene_of(&[2.0_f32.powi(100), 1e-45]), NEAR), 0);
+        assert_eq!(scale_exponent(&scene_of(&[f32::MAX, 1e-45]), NEAR), -27, "boxes must be decodable");
+        assert_eq!(scale_exponent(&scene_of(&[1e30, 1e-30]), FAR), 0);
+    }
+}

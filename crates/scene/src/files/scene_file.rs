@@ -1,0 +1,136 @@
+//! The scene file, TOML: several geometries, and a camera.
+
+use std::path::Path;
+
+use glam::{DVec3, Vec3};
+use serde::Deserialize;
+use toml::Value;
+
+use super::faults::{Faults, nearest};
+use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending};
+use crate::{Camera, Error, Geometry, Scene, Sphere};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneFile {
+    #[serde(default)]
+    geometry: Vec<Entry>,
+    camera: Option<View>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    mesh: Option<String>,
+    /// A path, or rows of `[x, y, z, radius]`.
+    spheres: Option<Value>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct View {
+    eye: [f64; 3],
+    target: [f64; 3],
+    up: [f64; 3],
+    fov_y: f64,
+}
+
+pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
+    let name = path.display().to_string();
+    let expected = "give [[geometry]] with `mesh` or `spheres`, and [camera] with `eye`, `target`, `up` and `fov_y`";
+    let bytes = read(path)?;
+    let text = std::str::from_utf8(&bytes).map_err(|e| {
+        let line = 1 + bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count();
+        Error::bad(&name, format!("line {line}"), "this is not UTF-8", expected)
+    })?;
+    let file: SceneFile = toml::from_str(text).map_err(|e| {
+        let before = e.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
+        let line = 1 + before.matches('\n').count();
+        Error::bad(&name, format!("line {line}"), e.message().trim_end(), expected)
+    })?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let entries = file.geometry.into_iter().enumerate();
+    let geometries = entries.map(|(i, entry)| geometry(&name, folder, i, entry)).collect::<Result<_, _>>()?;
+    let camera = file.camera.map(|view| camera(&name, &view)).transpose()?;
+    Ok(LoadedScene { scene: Scene::new(geometries), camera })
+}
+
+fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometry, Error> {
+    match (entry.mesh, entry.spheres) {
+        (Some(mesh), None) => {
+            let path = folder.join(&mesh);
+            if ending(&path) == "toml" {
+                let place = format!("geometry {i} (counting from 0)");
+                let what = format!("mesh = \"{mesh}\" is a scene file");
+                return Err(Error::bad(file, place, what, "list that file's geometries here"));
+            }
+            load_mesh(&path, "give a mesh: .obj, .ply, .stl, .gltf or .glb").map(Geometry::Mesh)
+        }
+        (None, Some(Value::String(table))) => {
+            let path = folder.join(table);
+            let name = path.display().to_string();
+            let spheres = match ending(&path).as_str() {
+                "npy" => spheres::npy(&name, &read(&path)?),
+                "csv" => spheres::csv(&name, &read(&path)?),
+                other => Err(unknown_ending(name, other, "give a table of spheres: .npy or .csv")),
+            };
+            spheres.map(Geometry::Spheres)
+        }
+        (None, Some(Value::Array(rows))) => inline(file, i, &rows).map(Geometry::Spheres),
+        (mesh, _) => {
+            let what = if mesh.is_some() { "it has both `mesh` and `spheres`" } else { "it has no `mesh` and no `spheres`" };
+            let expected = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..]";
+            Err(Error::bad(file, format!("geometry {i} (counting from 0)"), what, expected))
+        }
+    }
+}
+
+/// Rows of `[x, y, z, radius]` in the file itself.
+fn inline(file: &str, geometry: usize, rows: &[Value]) -> Result<Vec<Sphere>, Error> {
+    let mut faults = Faults::new(file);
+    let mut table = Vec::with_capacity(rows.len());
+    for (i, row) in rows.iter().enumerate() {
+        let place = format_args!("geometry {geometry}, sphere {i} (counting from 0)");
+        let numbers = row.as_array().and_then(|row| row.iter().map(number).collect::<Option<Vec<_>>>());
+        match numbers.and_then(|numbers| <[f32; 4]>::try_from(numbers).ok()) {
+            Some(row) => {
+                faults.sphere(place, spheres::sphere(row));
+                table.push(spheres::sphere(row));
+            }
+            None => faults.add(place, format_args!("`{row}` is not four numbers"), "give [x, y, z, radius]"),
+        }
+    }
+    faults.none()?;
+    Ok(table)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "integers are rounded to the nearest too")]
+fn number(value: &Value) -> Option<f32> {
+    match *value {
+        Value::Float(x) => Some(nearest(x)),
+        Value::Integer(x) => Some(x as f32),
+        _ => None,
+    }
+}
+
+fn camera(file: &str, view: &View) -> Result<Camera, Error> {
+    let [eye, target, up] = [view.eye, view.target, view.up].map(|v| Vec3::from(v.map(nearest)));
+    let camera = Camera { eye, target, up, fov_y: nearest(view.fov_y) };
+    let (what, expected) = if !(eye.is_finite() && target.is_finite() && up.is_finite() && camera.fov_y.is_finite()) {
+        ("a number is not finite", "give finite numbers within the range of f32")
+    } else if eye == target {
+        ("eye and target are the same point", "give two points")
+    } else if parallel(target.as_dvec3() - eye.as_dvec3(), up.as_dvec3()) {
+        ("up is along the line of sight, or zero", "give an up that is not")
+    } else if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
+        ("fov_y is out of range", "give degrees, above 0 and below 180")
+    } else {
+        return Ok(camera);
+    };
+    Err(Error::bad(file, "[camera]", what, expected))
+}
+
+/// Whether what is left of `up` after its part along the line of sight is no more than the rounding of an f64.
+fn parallel(sight: DVec3, up: DVec3) -> bool {
+    sight.normalize_or_zero().cross(up.normalize_or_zero()).length() < 1e-12
+}

@@ -1,0 +1,84 @@
+// Depth first, the nearest child next, the others kept with their keys and dropped when a nearer hit has been found.
+//
+// `TierRay`, `tier_ray` come from the tier (classic/ or fast/), `intersect_leaf` from leaf/, `ANY_HIT` from query/, and
+// `node_quad` from the host, which knows over how many bindings the nodes are spread. STACK_SIZE is the host's too: what
+// this tree needs at most, plus three, since a push writes before it knows whether the entry stays.
+
+const LEAF: u32 = 0x80000000u;
+// The word of no child: it ends the walk.
+const DONE: u32 = 0xffffffffu;
+
+fn load_node(index: u32) -> Node {
+    let a = node_quad(index * 4u);
+    let b = node_quad(index * 4u + 1u);
+    let c = node_quad(index * 4u + 2u);
+    return Node(
+        bitcast<vec3<f32>>(a.xyz),
+        bitcast<vec3<f32>>(vec3<u32>(a.w, b.xy)),
+        vec3<u32>(b.zw, c.x),
+        c.yzw,
+        node_quad(index * 4u + 3u),
+    );
+}
+
+fn traverse(given: Ray) -> Hit {
+    let unit = unit_direction(given.direction);
+    let ray = tier_ray(given, unit);
+    let boxes = box_ray(ray.origin, unit.direction, scale_by_power(ray.t_min, ray.box_exponent));
+    var hit = Hit(ray.t_max, 0.0, 0.0, MISS);
+    var s_max = min(scale_by_power(ray.t_max, ray.box_exponent), FARTHEST);
+
+    var keys: array<f32, STACK_SIZE>;
+    var words: array<u32, STACK_SIZE>;
+    keys[0] = -FARTHEST;
+    words[0] = DONE;
+    var top = 1u;
+    var current = 0u;
+    loop {
+        loop {
+            if current >= LEAF {
+                break;
+            }
+            let node = load_node(current);
+            let order = sorted(child_keys(boxes, node, s_max));
+            let slots = bitcast<vec4<u32>>(order) & vec4<u32>(3u);
+            if order.x < NOT_HIT {
+                keys[top] = order.w;
+                words[top] = node.children[slots.w];
+                top += u32(order.w < NOT_HIT);
+                keys[top] = order.z;
+                words[top] = node.children[slots.z];
+                top += u32(order.z < NOT_HIT);
+                keys[top] = order.y;
+                words[top] = node.children[slots.y];
+                top += u32(order.y < NOT_HIT);
+                current = node.children[slots.x];
+            } else {
+                loop {
+                    top -= 1u;
+                    if keys[top] <= s_max {
+                        break;
+                    }
+                }
+                current = words[top];
+            }
+        }
+        if current == DONE {
+            break;
+        }
+        hit = intersect_leaf(ray, current, hit);
+        if ANY_HIT && hit.primitive != MISS {
+            break;
+        }
+        s_max = min(scale_by_power(hit.t, ray.box_exponent), FARTHEST);
+        loop {
+            top -= 1u;
+            if keys[top] <= s_max {
+                break;
+            }
+        }
+        current = words[top];
+    }
+    hit.t = scale_by_power(hit.t, ray.out_exponent);
+    return hit;
+}
