@@ -32,7 +32,7 @@ pub(crate) fn distinct(id: u32) -> Rgb {
     h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
     h ^= h >> 16;
     // Never darker than the background.
-    h.to_le_bytes()[..3].try_into().map_or(BACKGROUND, |rgb: Rgb| rgb.map(|c| 64 + c / 4 * 3 / 1))
+    h.to_le_bytes()[..3].try_into().map_or(BACKGROUND, |rgb: Rgb| rgb.map(|c| 64 + c / 4 * 3))
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "rounded, and clamped to 0..=255 above")]

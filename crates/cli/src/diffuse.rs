@@ -133,6 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
     fn every_ray_has_one_hit_and_every_hit_its_even_share() {
         for (hits, rays) in [(1, 1), (1, 10), (3, 10), (10, 3), (7, 7), (1000, 999), (13, 100_000)] {
             let shares = Shares { hits, rays };

@@ -66,7 +66,7 @@ impl From<rayproof::Error> for Failure {
     fn from(error: rayproof::Error) -> Self {
         let code = match &error {
             rayproof::Error::NoDevice(_) => Code::NoDevice,
-            rayproof::Error::Device(_) => Code::Running,
+            rayproof::Error::Device(_) | rayproof::Error::TooLarge(_) => Code::Running,
         };
         Self::new(code, error.to_string())
     }
@@ -99,7 +99,7 @@ mod tests {
             (Failure::from(scene::Error::Open { path: path(), source: io() }), 5),
             (Failure::from(scene::Error::Io { path: path(), source: io() }), 1),
             (Failure::from(rayproof::Error::NoDevice("none".into())), 4),
-            (Failure::from(rayproof::Error::Device("lost".into())), 1),
+            (Failure::from(rayproof::Error::TooLarge(scene::bvh::TooLarge { primitives: 1 })), 1),
             (Failure::new(Code::Usage, "no"), 2),
             (Failure::new(Code::Disagreed, "no"), 3),
         ];

@@ -6,8 +6,9 @@ use rayproof::scene::{Format, Hit, HitWriter, Scene};
 use rayproof::{Intersector, Options};
 
 use crate::answer::Answer;
-use crate::args::{Intersect, Query, Tier};
+use crate::args::Intersect;
 use crate::check::{Checked, check};
+use crate::choices::{Query, Tier};
 use crate::exit::{Code, Failure, print, say};
 use crate::interrupt::Writing;
 use crate::pipeline::{self, Traced};

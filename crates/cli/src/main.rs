@@ -4,7 +4,9 @@ mod answer;
 mod args;
 mod bounce;
 mod check;
+mod choices;
 mod color;
+mod devices;
 mod diffuse;
 mod exit;
 mod interrupt;
@@ -34,6 +36,7 @@ fn main() -> ExitCode {
         args::Command::Intersect(args) => intersect::run(args, started),
         args::Command::Rays(args) => rays::run(args),
         args::Command::Render(args) => render::run(args),
+        args::Command::Devices(args) => devices::run(args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

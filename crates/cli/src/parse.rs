@@ -1,6 +1,4 @@
-//! The words of the command line that are more than a number: `1024x768`, `3/8`, `name:llvmpipe`.
-
-use rayproof::DeviceChoice;
+//! The words of the command line that are more than a number: `1024x768`, `3/8`.
 
 /// The size of a picture, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,24 +55,6 @@ pub(crate) fn shard(text: &str) -> Result<Shard, String> {
         .ok_or_else(|| "give I/N with I from 0 to N-1, for example 0/4 for the first of four shares".to_owned())
 }
 
-/// `auto`, `cpu`, `gpu`, `index:N`, `name:S` or `pci:BUS`.
-pub(crate) fn device(text: &str) -> Result<DeviceChoice, String> {
-    let choice = match text.split_once(':') {
-        None => match text {
-            "auto" => Some(DeviceChoice::Auto),
-            "cpu" => Some(DeviceChoice::Cpu),
-            "gpu" => Some(DeviceChoice::Gpu),
-            _ => None,
-        },
-        Some((_, "")) => None,
-        Some(("index", n)) => n.parse().ok().map(DeviceChoice::Index),
-        Some(("name", name)) => Some(DeviceChoice::Name(name.to_owned())),
-        Some(("pci", bus)) => Some(DeviceChoice::Pci(bus.to_owned())),
-        Some(_) => None,
-    };
-    choice.ok_or_else(|| "give auto, cpu, gpu, index:N, name:TEXT or pci:BUS; `rayproof devices` lists them".to_owned())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,19 +92,6 @@ mod tests {
                 next = rows.end;
             }
             assert_eq!(next, total);
-        }
-    }
-
-    #[test]
-    fn devices_are_named_in_six_ways() {
-        assert_eq!(device("auto"), Ok(DeviceChoice::Auto));
-        assert_eq!(device("cpu"), Ok(DeviceChoice::Cpu));
-        assert_eq!(device("gpu"), Ok(DeviceChoice::Gpu));
-        assert_eq!(device("index:2"), Ok(DeviceChoice::Index(2)));
-        assert_eq!(device("name:RTX: A"), Ok(DeviceChoice::Name("RTX: A".into())));
-        assert_eq!(device("pci:0000:01:00.0"), Ok(DeviceChoice::Pci("0000:01:00.0".into())));
-        for bad in ["", "cuda", "CPU", "index:", "index:x", "index:-1", "name:", "pci:", ":", "cpu:0"] {
-            assert!(device(bad).is_err(), "{bad:?}");
         }
     }
 }

@@ -4,8 +4,9 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use rayproof::scene::{Camera, Ray, RayWriter, Scene};
 
-use crate::args::{Kind, Rays};
+use crate::args::Rays;
 use crate::bounce::finite;
+use crate::choices::Kind;
 use crate::diffuse::diffuse;
 use crate::exit::{Code, Failure, say};
 use crate::interrupt::{self, Writing};
@@ -86,7 +87,7 @@ pub(crate) fn row_blocks(size: Size, block: usize) -> impl Iterator<Item = std::
 
 fn incoherent(args: &Rays, scene: &Scene) -> Result<(), Failure> {
     let total = args.count.unwrap_or_else(|| args.size.unwrap_or(SIZE).pixels());
-    let [low, high] = scene.bounds().unwrap_or([Vec3::NEG_ONE, Vec3::ONE]).map(|corner| corner.as_dvec3());
+    let [low, high] = framed(scene);
     let mut sink = Sink::create(args, total)?;
     let mut rays = Vec::new();
     for first in (0..total).step_by(BATCH) {
@@ -96,6 +97,16 @@ fn incoherent(args: &Rays, scene: &Scene) -> Result<(), Failure> {
         sink.write(&rays)?;
     }
     sink.finish(args, "incoherent")
+}
+
+/// The part of the scene's box that [`Camera::framing`] frames: a ground sphere does not draw all rays to itself.
+fn framed(scene: &Scene) -> [DVec3; 2] {
+    let camera = Camera::framing(scene);
+    let (eye, target) = (camera.eye.as_dvec3(), camera.target.as_dvec3());
+    // The camera stands where the sphere around the framed box just fits into its view.
+    let half = DVec3::splat((eye - target).length() * (f64::from(camera.fov_y).to_radians() * 0.5).sin());
+    let [low, high] = scene.bounds().unwrap_or([Vec3::NEG_ONE, Vec3::ONE]).map(|corner| corner.as_dvec3());
+    [low.max(target - half), high.min(target + half)]
 }
 
 /// A ray from a point of the sphere around a box to a point of the box; the direction has unit length.
@@ -110,6 +121,8 @@ fn crossing(low: DVec3, high: DVec3, random: &mut Random) -> Ray {
 
 #[cfg(test)]
 mod tests {
+    use rayproof::scene::{Geometry, Sphere};
+
     use super::*;
 
     #[test]
@@ -137,6 +150,18 @@ mod tests {
             let (a, b) = ((-half - o) / d, (half - o) / d);
             assert!(a.min(b).max_element() <= a.max(b).min_element(), "{ray:?}");
         }
+    }
+
+    #[test]
+    fn a_ground_sphere_does_not_draw_all_rays_to_itself() {
+        let ball = Sphere { center: Vec3::new(0.0, 1.0, 0.0), radius: 1.0 };
+        let ground = Sphere { center: Vec3::new(0.0, -1e6, 0.0), radius: 1e6 };
+        let scene = |spheres: &[Sphere]| Scene::new(vec![Geometry::Spheres(spheres.to_vec())]);
+        let [low, high] = framed(&scene(&[ball]));
+        assert!((low - DVec3::new(-1.0, 0.0, -1.0)).length() < 1e-6, "{low}");
+        assert!((high - DVec3::new(1.0, 2.0, 1.0)).length() < 1e-6, "{high}");
+        let [low, high] = framed(&scene(&[ball, ground]));
+        assert!((high - low).max_element() < 4.0, "{low} {high}");
     }
 
     #[test]

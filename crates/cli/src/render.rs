@@ -5,7 +5,8 @@ use rayproof::scene::{Camera, Hit, Ray, Scene};
 use rayproof::{Intersector, Options};
 use rayproof_oracle::Oracle;
 
-use crate::args::{Render, Show};
+use crate::args::Render;
+use crate::choices::Show;
 use crate::color::Rgb;
 use crate::exit::{Code, Failure, say};
 use crate::picture::Picture;

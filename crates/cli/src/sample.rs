@@ -71,6 +71,7 @@ impl<A: Copy> Sampler<A> {
 mod tests {
     use super::*;
 
+    #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
     fn sample(want: u64, total: u64, known: bool, batch: u64) -> Vec<u64> {
         let mut sampler = Sampler::new(want, known.then_some(total));
         for first in (0..total).step_by(batch as usize) {

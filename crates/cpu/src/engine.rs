@@ -5,7 +5,8 @@ use rayproof_scene::{Hit, Ray};
 use crate::batch::Params;
 use crate::bvh::slab::WideNode;
 use crate::bvh::traverse::{Stack, stack, traverse};
-use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles};
+use crate::lanes::Triangles4;
+use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles, lanes};
 use crate::{classic, fast};
 
 /// Rays one task takes: enough to hide its start, few enough to share out the last.
@@ -16,6 +17,7 @@ const TASK: usize = 4096;
 pub struct Engine {
     bvh: Bvh,
     nodes: Vec<WideNode>,
+    leaves: Vec<Triangles4>,
     params: Params,
     tier: Tier,
 }
@@ -32,7 +34,7 @@ macro_rules! tier {
     ($engine:expr, $ray:expr, $stack:expr, $any:expr, $tier:ident) => {{
         let bvh = &$engine.bvh;
         let triangles = |ray: &_, word, hit| {
-            intersect_triangles(&bvh.triangles, ray, word, hit, $tier::intersect_triangle)
+            intersect_triangles(&$engine.leaves, ray, word, hit, $tier::intersect_triangle)
         };
         let spheres = |ray: &_, word, hit| {
             intersect_spheres(&bvh.spheres, &bvh.sphere_ids, ray, word, hit, $tier::intersect_sphere)
@@ -53,9 +55,9 @@ impl Engine {
     /// Makes a tree ready for the formulas of `tier`, for which it was scaled.
     #[must_use]
     pub fn new(bvh: Bvh, tier: Tier) -> Self {
-        let nodes = bvh.nodes.par_iter().map(WideNode::new).collect();
+        let (leaves, nodes) = lanes(&bvh);
         let params = Params::new(&bvh);
-        Self { bvh, nodes, params, tier }
+        Self { bvh, nodes, leaves, params, tier }
     }
 
     /// The closest hit of each ray, in the rays' order.

@@ -25,6 +25,7 @@ mod bvh;
 mod classic;
 mod engine;
 mod fast;
+mod lanes;
 mod leaf;
 mod math;
 

@@ -8,11 +8,6 @@ pub(crate) fn dot3(a: Vec3, b: Vec3) -> f32 {
 }
 
 #[inline(always)]
-pub(crate) fn cross3(a: Vec3, b: Vec3) -> Vec3 {
-    Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
-}
-
-#[inline(always)]
 #[expect(clippy::cast_sign_loss, reason = "n is at least -126")]
 pub(crate) const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((n + 127) as u32) << 23)

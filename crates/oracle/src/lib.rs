@@ -19,7 +19,7 @@
 //! assert_eq!(hit, Hit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 });
 //!
 //! assert!(matches!(judge_closest(&oracle, &ray, &hit), Verdict::Exact(_)));
-//! assert!(matches!(judge_closest(&oracle, &ray, &Hit::MISS), Verdict::Disagrees(_)));
+//! assert!(matches!(judge_closest(&oracle, &ray, &Hit::MISS), Verdict::Disagrees(..)));
 //! ```
 
 pub mod families;

@@ -77,23 +77,26 @@ fn framed_box(scene: &Scene) -> Option<(DVec3, DVec3)> {
         }
     }
     spheres.sort_unstable_by(|a, b| a.radius.total_cmp(&b.radius));
-    spheres.iter().try_fold(triangles, |framed, s| {
-        let (c, r) = (s.center.as_dvec3(), f64::from(s.radius));
-        let half = framed.map_or(0.0, |(low, high): (DVec3, DVec3)| (high - low).length() * 0.5);
-        // All that follow are as large or larger.
-        if half > 0.0 && r > 30.0 * half {
-            return Err(framed);
-        }
-        Ok(Some(framed.into_iter().fold((c - r, c + r), union)))
-    })
-    .unwrap_or_else(|framed| framed)
+    spheres
+        .iter()
+        .try_fold(triangles, |framed, s| {
+            let (c, r) = (s.center.as_dvec3(), f64::from(s.radius));
+            let half = framed.map_or(0.0, |(low, high): (DVec3, DVec3)| (high - low).length() * 0.5);
+            // All that follow are as large or larger.
+            if half > 0.0 && r > 30.0 * half {
+                return Err(framed);
+            }
+            Ok(Some(framed.into_iter().fold((c - r, c + r), union)))
+        })
+        .unwrap_or_else(|framed| framed)
 }
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "tests")]
+    #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
     use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
 
     use super::*;
     use crate::{Mesh, Sphere};
@@ -180,7 +183,16 @@ mod tests {
         }
     }
 
+    /// Its seed is printed, so that a failure names it.
+    fn config() -> ProptestConfig {
+        const SEED: u64 = 0xca3e8a;
+        println!("seed {SEED:#x}");
+        ProptestConfig { rng_seed: RngSeed::Fixed(SEED), failure_persistence: None, ..ProptestConfig::default() }
+    }
+
     proptest! {
+        #![proptest_config(config())]
+
         #[test]
         fn any_finite_spheres_have_a_valid_camera(
             table in prop::collection::vec(prop::array::uniform4(prop::num::f32::NORMAL | prop::num::f32::SUBNORMAL), 0..6),

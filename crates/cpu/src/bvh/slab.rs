@@ -11,9 +11,9 @@ const SMALLEST_DIRECTION: f32 = power_of_two(-62);
 pub(crate) const FARTHEST: f32 = power_of_two(127);
 const NARROW: f32 = 1.0 - 16.0 * power_of_two(-23);
 const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
-pub(crate) const NOT_HIT: f32 = 3.0e38;
 
-/// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit.
+/// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit. The planes
+/// of an empty slot are infinite, which no ray meets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WideNode {
     low: [Vec4; 3],
@@ -23,7 +23,10 @@ pub(crate) struct WideNode {
 
 impl WideNode {
     pub(crate) fn new(node: &Node) -> Self {
-        let boxes = [0, 1, 2, 3].map(|k| node.child_box(k));
+        let boxes = [0, 1, 2, 3].map(|k| match node.children[k] {
+            MISS => [Vec3::INFINITY; 2],
+            _ => node.child_box(k),
+        });
         let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
         Self {
             low: [planes(0, 0), planes(0, 1), planes(0, 2)],
@@ -78,7 +81,7 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32
 }
 
 #[inline(always)]
-pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Vec4 {
+pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Keys {
     let ax = (node.low[0] - ray.from_low.x) * ray.inverse.x;
     let bx = (node.high[0] - ray.from_high.x) * ray.inverse.x;
     let ay = (node.low[1] - ray.from_low.y) * ray.inverse.y;
@@ -91,34 +94,18 @@ pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Vec4 {
     let far = (leave * NARROW).max(leave * WIDEN) + ray.slack;
     let met = near.cmple(far) & near.cmple(Vec4::splat(s_max)) & far.cmpge(Vec4::splat(ray.s_min));
     let mut slot = 0;
-    let key = near.to_array().map(|x| {
+    let keys = near.to_array().map(|x| {
         let key = f32::from_bits((x.to_bits() & !3) | slot);
         slot += 1;
         key
     });
-    let there = glam::BVec4A::from_array(node.children.map(|word| word != MISS));
-    Vec4::select(met & there, Vec4::from_array(key), Vec4::splat(NOT_HIT))
+    Keys { met: met.bitmask(), keys }
 }
 
-#[inline(always)]
-pub(crate) fn sorted(keys: Vec4) -> [f32; 4] {
-    let [x, y, z, w] = keys.to_array();
-    let low = [less(x, y), less(z, w)];
-    let high = [more(x, y), more(z, w)];
-    let first = less(low[0], low[1]);
-    let last = more(high[0], high[1]);
-    let a = more(low[0], low[1]);
-    let b = less(high[0], high[1]);
-    [first, less(a, b), more(a, b), last]
-}
-
-/// The smaller of two numbers, neither a NaN: one instruction, where `f32::min` takes four.
-#[inline(always)]
-fn less(x: f32, y: f32) -> f32 {
-    if x < y { x } else { y }
-}
-
-#[inline(always)]
-fn more(x: f32, y: f32) -> f32 {
-    if x > y { x } else { y }
+/// The children that a ray meets: bit `k` of `met`, and the key of each. The kernel's NOT_HIT
+/// is a bit that is not set.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Keys {
+    pub(crate) met: u32,
+    pub(crate) keys: [f32; 4],
 }

@@ -2,7 +2,7 @@
 
 use rayproof_scene::{Hit, MISS, Ray};
 
-use super::slab::{BoxRay, FARTHEST, NOT_HIT, UnitDirection, WideNode, box_ray, child_keys, sorted, unit_direction};
+use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, WideNode, box_ray, child_keys, unit_direction};
 use crate::batch::{Params, TierRay};
 use crate::math::scale_by_power;
 
@@ -55,18 +55,29 @@ pub(crate) fn traverse<const ANY_HIT: bool>(
 }
 
 /// The nearest child that is met, the others kept; where none is, the next entry kept.
+///
+/// The kernel sorts four keys by a network; keys differ, so inserting those that are met gives the same order.
 #[inline(always)]
 fn descend(boxes: &BoxRay, node: &WideNode, s_max: f32, stack: &mut Stack, top: &mut usize) -> u32 {
-    let order = sorted(child_keys(boxes, node, s_max));
-    let child = |key: f32| node.children[(key.to_bits() & 3) as usize];
-    if order[0] >= NOT_HIT {
+    let Keys { mut met, keys } = child_keys(boxes, node, s_max);
+    let base = *top;
+    while met != 0 {
+        let k = met.trailing_zeros() as usize;
+        met &= met - 1;
+        let entry = (keys[k], node.children[k]);
+        let mut at = *top;
+        while at > base && stack[at - 1].0 < entry.0 {
+            stack[at] = stack[at - 1];
+            at -= 1;
+        }
+        stack[at] = entry;
+        *top += 1;
+    }
+    if *top == base {
         return pop(stack, top, s_max);
     }
-    for key in [order[3], order[2], order[1]] {
-        stack[*top] = (key, child(key));
-        *top += usize::from(key < NOT_HIT);
-    }
-    child(order[0])
+    *top -= 1;
+    stack[*top].1
 }
 
 #[inline(always)]

@@ -1,29 +1,30 @@
-//! Twin of `shaders/classic/triangle.wgsl`.
+//! Twin of `shaders/classic/triangle.wgsl`, four triangles abreast.
 
-use rayproof_scene::bvh::PackedTriangle;
+use glam::Vec4;
 
-use crate::batch::{Candidate, NO_HIT, TierRay};
-use crate::math::{cross3, dot3};
+use crate::batch::TierRay;
+use crate::lanes::{Candidates, NO_HITS, Triangles4, Vec3x4, cross3, dot3};
 
 #[inline(always)]
-pub(crate) fn intersect_triangle(ray: &TierRay, &PackedTriangle { a, b, c, .. }: &PackedTriangle) -> Candidate {
+pub(crate) fn intersect_triangle(ray: &TierRay, &Triangles4 { a, b, c, .. }: &Triangles4) -> Candidates {
+    let direction = Vec3x4::splat(ray.direction);
     let e1 = b - a;
     let e2 = c - a;
-    let s = ray.origin - a;
+    let s = Vec3x4::splat(ray.origin) - a;
     let p = cross3(e2, e1);
-    let determinant = dot3(ray.direction, p);
-    if determinant == 0.0 {
-        return NO_HIT;
-    }
-    let m = cross3(ray.direction, s);
+    let determinant = dot3(direction, p);
+    let m = cross3(direction, s);
     let v = dot3(e1, m) / determinant;
-    if !(v >= 0.0 && v <= 1.0) {
-        return NO_HIT;
+    let inside = determinant.cmpne(Vec4::ZERO) & v.cmpge(Vec4::ZERO) & v.cmple(Vec4::ONE);
+    if !inside.any() {
+        return NO_HITS;
     }
     let u = -dot3(e2, m) / determinant;
-    if !(u >= 0.0 && u <= 1.0 - v) {
-        return NO_HIT;
+    let inside = inside & u.cmpge(Vec4::ZERO) & u.cmple(Vec4::ONE - v);
+    if !inside.any() {
+        return NO_HITS;
     }
     let t = -dot3(s, p) / determinant;
-    Candidate { hit: t >= ray.t_min && t <= ray.t_max, t, u, v }
+    let hits = inside & t.cmpge(Vec4::splat(ray.t_min)) & t.cmple(Vec4::splat(ray.t_max));
+    Candidates { hits: hits.bitmask(), t, u, v }
 }

@@ -1,25 +1,29 @@
-//! Twin of `shaders/fast/triangle.wgsl`.
+//! Twin of `shaders/fast/triangle.wgsl`, four triangles abreast.
 
-use rayproof_scene::bvh::PackedTriangle;
+use glam::Vec4;
 
-use crate::batch::{Candidate, NO_HIT, TierRay};
-use crate::math::{cross3, dot3};
+use crate::batch::TierRay;
+use crate::lanes::{Candidates, NO_HITS, Triangles4, Vec3x4, cross3, dot3};
 
 #[inline(always)]
-pub(crate) fn intersect_triangle(ray: &TierRay, &PackedTriangle { a, b, c, .. }: &PackedTriangle) -> Candidate {
-    let p = a - ray.origin;
+pub(crate) fn intersect_triangle(ray: &TierRay, &Triangles4 { a, b, c, .. }: &Triangles4) -> Candidates {
+    let direction = Vec3x4::splat(ray.direction);
+    let p = a - Vec3x4::splat(ray.origin);
     let e1 = a - b;
     let e2 = c - a;
     let n = cross3(e2, e1);
-    let r = cross3(p, ray.direction);
-    let determinant = dot3(n, ray.direction);
-    let sign = if determinant < 0.0 { -1.0 } else { 1.0 };
+    let r = cross3(p, direction);
+    let determinant = dot3(n, direction);
+    let sign = Vec4::select(determinant.cmplt(Vec4::ZERO), Vec4::NEG_ONE, Vec4::ONE);
     let scale = sign * determinant;
     let u = sign * dot3(r, e2);
     let v = sign * dot3(r, e1);
-    if !(u >= 0.0 && v >= 0.0 && u + v <= scale && scale > 0.0) {
-        return NO_HIT;
+    let inside =
+        u.cmpge(Vec4::ZERO) & v.cmpge(Vec4::ZERO) & (u + v).cmple(scale) & scale.cmpgt(Vec4::ZERO);
+    if !inside.any() {
+        return NO_HITS;
     }
     let t = sign * dot3(n, p) / scale;
-    Candidate { hit: t >= ray.t_min && t <= ray.t_max, t, u: u / scale, v: v / scale }
+    let hits = inside & t.cmpge(Vec4::splat(ray.t_min)) & t.cmple(Vec4::splat(ray.t_max));
+    Candidates { hits: hits.bitmask(), t, u: u / scale, v: v / scale }
 }

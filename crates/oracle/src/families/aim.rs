@@ -86,7 +86,9 @@ pub(super) fn passing_exactly(draw: &mut Draw, distance: f64, impact: f32, slant
     let length = draw.power(-4, 4);
     let t = m * place / length;
     let z = round(slant / t);
-    let height = round(f64::from(impact) - f64::from(z) * t);
+    // Where it passes, the height over the plane is the impact over the cosine of the slant.
+    let rise = f64::from(z) * t;
+    let height = round(f64::from(impact) * (rise / (m * place * x.hypot(y))).hypot(1.0) - rise);
     let origin = DVec3::new(-m * x * place, -m * y * place, f64::from(height));
     let turn = draw.turn();
     turned(turn, along(origin.as_vec3(), DVec3::new(x * length, y * length, f64::from(z))))

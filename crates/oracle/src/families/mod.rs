@@ -62,6 +62,8 @@ enum Plan {
     Each { variants: usize, make: Make },
     /// All variants of a round from the same draws: they differ in the variant alone.
     Twins { variants: usize, make: Make },
+    /// Each variant in one scene, however many rays: they hold recorded ones, which must fit.
+    Once { variants: usize, make: Make },
     /// Batches of given sizes.
     Batches,
 }
@@ -75,15 +77,19 @@ impl Family {
     /// About `rays` rays over at most 40 scenes, the same for the same seed; never more than `rays`.
     ///
     /// Scenes take the family's variants (the nominal magnitudes) in turn, and each variant has a scene as soon as
-    /// there are rays enough. The six cases of a round of family 36 hold the same rays, in the same order.
+    /// there are rays enough. The six cases of a round of family 36 hold the same rays, in the same order. From 8,424
+    /// rays on, family 41 holds every recorded ray.
     #[must_use]
     pub fn cases(&self, seed: u64, rays: usize) -> Vec<Case> {
-        let (variants, make, twins) = match self.plan {
-            Plan::Each { variants, make } => (variants, make, false),
-            Plan::Twins { variants, make } => (variants, make, true),
+        let (variants, make) = match self.plan {
+            Plan::Each { variants, make } | Plan::Once { variants, make } | Plan::Twins { variants, make } => {
+                (variants, make)
+            }
             Plan::Batches => return batches::cases(rays),
         };
-        let rounds = (rays / (RAYS_A_SCENE * variants)).clamp(1, MOST_SCENES / variants);
+        let twins = matches!(self.plan, Plan::Twins { .. });
+        let most = if matches!(self.plan, Plan::Once { .. }) { 1 } else { MOST_SCENES / variants };
+        let rounds = (rays / (RAYS_A_SCENE * variants)).clamp(1, most);
         let scenes = (rounds * variants).min(rays);
         let scene = |i: usize| {
             let stream = if twins { i / variants } else { i };

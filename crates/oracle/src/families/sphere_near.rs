@@ -16,6 +16,7 @@ fn over_ground(draw: &mut Draw, sphere: Sphere, origin: Vec3) -> Ray {
     let slope = match draw.below(4) {
         0 => horizon * (1.0 + draw.sign() * draw.log(1e-6, 1e-1)),
         1 => draw.sign() * draw.log(1e-6, 1e-2),
+        2 => horizon * draw.log(1.0, 100.0),
         _ => draw.log(1e-5, 1e-1),
     };
     let direction = (draw.across(up) - up * slope).normalize();

@@ -48,7 +48,7 @@ pub(super) fn almost_no_direction(draw: &mut Draw, variant: usize, rays: usize) 
     on_sphere(Sphere { center: Vec3::ZERO, radius: round(size) }, rays, || {
         let zeros = [draw.pick(&[0.0, -0.0]), draw.pick(&[0.0, -0.0])];
         let step = draw.pick(&[TINY, 2.0 * TINY, 1e-40, f32::MIN_POSITIVE.next_down(), f32::MIN_POSITIVE]);
-        let origin = DVec3::new(-3.0, one_of([0.0, draw.range(-1.2, 1.2), 1.0], draw), 0.0) * size;
+        let origin = DVec3::new(-3.0, one_of([0.0, draw.range(-2.0, 2.0), 1.0], draw), 0.0) * size;
         turned(draw.turn(), Ray::new(origin.as_vec3(), Vec3::new(step, zeros[0], zeros[1])))
     })
 }
@@ -72,11 +72,13 @@ pub(super) fn huge(draw: &mut Draw, variant: usize, rays: usize) -> Case {
 pub(super) fn speck(draw: &mut Draw, variant: usize, rays: usize) -> Case {
     let (radius, at) =
         [(1e-6, 1.0), (1e-6, 1e3), (1e-30, 0.0), (1e-40, 0.0), (0.0, 1.0), (0.0, 0.0), (-0.0, 1.0)][variant];
-    let radius = if radius > 0.0 { round(draw.around(radius, 0.3)) } else { radius as f32 };
+    let radius = round(if radius > 0.0 { draw.around(radius, 0.3) } else { radius });
     // A centre of few bits leaves room for e = c - m d to be exact.
     let center = draw.wholes(-255, 255) * (at / 256.0);
+    // A point is missed by an ulp of its place.
+    let reach = if radius > 0.0 { radius } else { round(at * (-23_f64).exp2()).max(1e-30) };
     on_sphere(Sphere { center: center.as_vec3(), radius }, rays, || {
-        let beside = radius * round(one_of([0.0, 1.0, draw.range(0.0, 1.2), draw.log(1.0, 1e3)], draw));
+        let beside = reach * round(one_of([0.0, 1.0, draw.range(0.0, 1.2), draw.log(1.0, 1e3)], draw));
         if draw.chance(0.5) {
             let distance = draw.log(1.0, 1e3) * if at > 0.0 { at } else { 1.0 };
             let ray = passing_exactly(draw, distance, beside, 0.0);

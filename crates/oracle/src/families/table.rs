@@ -271,13 +271,12 @@ pub(super) static ALL: [Family; 42] = [
         bisect::margins,
         "Pairs of rays an ulp apart on both sides of the exact bound, found by bisection.",
     ),
-    each(
-        41,
-        "field cases",
-        field::RECORDED,
-        field::recorded,
-        "Scenes and rays that made other intersectors fail, and their closest neighbours.",
-    ),
+    Family {
+        number: 41,
+        name: "field cases",
+        stresses: "Scenes and rays that made other intersectors fail, and their closest neighbours.",
+        plan: Plan::Once { variants: field::RECORDED, make: field::recorded },
+    },
     Family {
         number: 42,
         name: "batch sizes",

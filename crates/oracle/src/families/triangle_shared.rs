@@ -92,7 +92,9 @@ pub(super) fn at_edges(draw: &mut Draw, variant: usize, rays: usize) -> Case {
 /// 23: whole coordinates below 2^11, so that ties are exact: at vertices, at points of edges, in planes.
 pub(super) fn whole_numbers(draw: &mut Draw, variant: usize, rays: usize) -> Case {
     let most = [15, 127, 2047][variant];
-    let corner = |draw: &mut Draw| (draw.wholes(-most, most)).as_vec3();
+    // Even differences: the middle of an edge is whole too.
+    let odd = draw.wholes(0, 1);
+    let corner = |draw: &mut Draw| (draw.wholes(-most / 2, most / 2) * 2.0 + odd).as_vec3();
     let triangles: Vec<Triangle> =
         (0..16).map(|_| Triangle { a: corner(draw), b: corner(draw), c: corner(draw) }).collect();
     on_mesh(soup(&triangles), rays, || {
@@ -100,8 +102,7 @@ pub(super) fn whole_numbers(draw: &mut Draw, variant: usize, rays: usize) -> Cas
         let [a, b, c] = draw.pick(&[[t.a, t.b, t.c], [t.b, t.c, t.a], [t.c, t.a, t.b]]).map(|p| p.as_dvec3());
         let target = match draw.below(4) {
             0 => a,
-            // Where the middle is whole it is exact; else it is half a unit beside it.
-            1 => ((a + b) * 0.5).floor(),
+            1 => (a + b) * 0.5,
             2 => ((a + b + c) / 3.0).round(),
             _ => draw.wholes(-most, most),
         };

@@ -17,26 +17,22 @@
 
 mod bits;
 mod case;
+mod promise;
 mod sphere;
 mod triangle;
 
 use std::cmp::Ordering;
 
 use dashu::rational::RBig;
-use rayproof_scene::{Hit, Primitive, Ray};
+use rayproof_scene::{Hit, Ray};
 
+use self::promise::{Promise, ROUNDOFF};
 pub use self::{
     bits::{BitComparison, compare_bits, ulp_distance},
     case::{Answer, Case, Fault},
 };
 use crate::{ExactHit, Oracle};
 
-/// The unit roundoff of `f32`, 2^-24.
-const ROUNDOFF: f64 = f32::EPSILON as f64 / 2.0;
-/// More than a few underflowing products lose, 2^-146.
-const TINY: f64 = 8.0 * f32::from_bits(1) as f64;
-/// Where overflow is near, 2^125.
-const HUGE: f64 = f32::MAX as f64 / 8.0;
 /// `u + v` of a hit may exceed one by the roundings of two quotients and a sum.
 const WEIGHTS: f64 = 1.0 + 8.0 * ROUNDOFF;
 
@@ -122,6 +118,7 @@ fn compare_closest(oracle: &Oracle, ray: &Ray, answer: &Hit, hits: &[ExactHit]) 
         return Ok(exact.is_none().then_some(0.0));
     }
     let promise = check_form(oracle, ray, answer)?;
+    lower_twin(oracle, hits, answer.primitive)?;
     let of_promise = promise.claim(answer);
     let same = exact.filter(|e| e.primitive == answer.primitive);
     if of_promise.is_nan() || of_promise > 1.0 {
@@ -208,6 +205,15 @@ fn clear_hit(oracle: &Oracle, ray: &Ray, hits: &[ExactHit], t: Option<f32>) -> R
     }
 }
 
+/// Fails when the ray hits a copy of the primitive with a lower number: both give the same bits, so it goes first.
+fn lower_twin(oracle: &Oracle, hits: &[ExactHit], primitive: u32) -> Result<(), Fault> {
+    let shape = |flat: u32| oracle.scene().primitive(flat as usize);
+    match hits.iter().find(|hit| hit.primitive < primitive && shape(hit.primitive) == shape(primitive)) {
+        Some(hit) => Err(Fault::PassedOver { primitive: hit.primitive, t: hit.t.to_f32() }),
+        None => Ok(()),
+    }
+}
+
 /// How many hits single precision may find at most.
 fn possible_hits(oracle: &Oracle, ray: &Ray) -> usize {
     if ray.fault().is_some() {
@@ -224,49 +230,4 @@ fn possible_hits(oracle: &Oracle, ray: &Ray) -> usize {
 
 fn is_nan(hit: &Hit) -> bool {
     hit.t.is_nan() || hit.u.is_nan() || hit.v.is_nan()
-}
-
-/// The finite ends of the range.
-fn ends(ray: &Ray) -> impl Iterator<Item = f32> + use<> {
-    [ray.t_min, ray.t_max].into_iter().filter(|t| t.is_finite())
-}
-
-/// What single precision promises for one ray and primitive.
-enum Promise {
-    Triangle(triangle::Promise),
-    Sphere(sphere::Promise),
-}
-
-impl Promise {
-    fn new(ray: &Ray, primitive: &Primitive) -> Self {
-        match primitive {
-            Primitive::Triangle(triangle) => Self::Triangle(triangle::Promise::new(ray, triangle)),
-            Primitive::Sphere(sphere) => Self::Sphere(sphere::Promise::new(ray, sphere)),
-        }
-    }
-
-    fn of(oracle: &Oracle, ray: &Ray, flat: u32) -> Self {
-        Self::new(ray, &oracle.scene().primitive(flat as usize))
-    }
-
-    fn claim(&self, hit: &Hit) -> f64 {
-        match self {
-            Self::Triangle(promise) => promise.claim(hit),
-            Self::Sphere(promise) => promise.claim(hit),
-        }
-    }
-
-    fn confuses_t(&self, t: &crate::Root, x: f32) -> bool {
-        match self {
-            Self::Triangle(promise) => promise.confuses_t(x),
-            Self::Sphere(promise) => promise.confuses_t(t.to_f64(), x),
-        }
-    }
-
-    fn may_miss(&self, ray: &Ray, hit: &ExactHit) -> bool {
-        match self {
-            Self::Triangle(promise) => promise.may_miss(ray),
-            Self::Sphere(promise) => promise.may_miss(ray, hit.t.to_f64()),
-        }
-    }
 }

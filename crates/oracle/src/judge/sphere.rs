@@ -27,7 +27,7 @@
 
 use rayproof_scene::{Hit, Ray, Sphere};
 
-use super::{HUGE, ROUNDOFF, TINY, ends};
+use super::promise::{HUGE, ROUNDOFF, TINY, ends};
 
 /// Roundings of the silhouette counted above.
 const K: f64 = 12.0;

@@ -49,7 +49,7 @@
 use glam::DVec3;
 use rayproof_scene::{Hit, Ray, Triangle};
 
-use super::{HUGE, ROUNDOFF, TINY, ends};
+use super::promise::{HUGE, ROUNDOFF, TINY, ends};
 
 /// Roundings counted above, times `2/sqrt(3)`.
 const K: f64 = 10.0;

@@ -141,6 +141,18 @@ fn wrong_flags_and_counts_are_caught() {
     }
 }
 
+/// Copies of one triangle give the same bits, so the tie is not for rounding to decide.
+#[test]
+fn a_tie_given_to_the_higher_number_is_caught() {
+    let one = Triangle { a: Vec3::ZERO, b: Vec3::X, c: Vec3::Y };
+    let scene = triangle_scene(&[one, one]);
+    let (oracle, ray) = (Oracle::new(&scene), Ray::new(Vec3::new(0.3, 0.3, 0.7), Vec3::new(0.01, 0.02, -0.9)));
+    let good = oracle.closest(&ray).unwrap().to_hit();
+    assert!(judge_closest(&oracle, &ray, &good).is_nearest());
+    let wrong = judge_closest(&oracle, &ray, &Hit { primitive: 1, ..good });
+    assert_eq!(fault(&wrong), Fault::PassedOver { primitive: 0, t: good.t });
+}
+
 /// A ray within rounding of an edge, of the silhouette, of an end of the range, of a tie: both answers pass.
 #[test]
 fn marginal_answers_are_forgiven() {

@@ -91,14 +91,15 @@ fn the_range_holds_its_ends() {
     for (low, high) in [(0.0, down), (up, inf), (-inf, down), (inf, inf), (-inf, -inf)] {
         assert_eq!(through(low, high), inf, "{low} {high}");
     }
-    // sqrt(2) is not an f32: the range that ends at the f32 below it does not hold it, though that is its rounding.
+    // sqrt(2) lies a little above the f32 nearest to it: a range that ends there does not hold it.
     let ball = sphere_scene(&[Sphere { center: Vec3::ZERO, radius: 2.0 }]);
     let root = std::f32::consts::SQRT_2;
-    assert!(f64::from(root) > std::f64::consts::SQRT_2);
+    assert!(f64::from(root) < std::f64::consts::SQRT_2);
     let chord = ray([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]);
-    assert_eq!(closest(&ball, &Ray { t_max: root, ..chord }).t, root);
-    assert_eq!(closest(&ball, &Ray { t_max: root.next_down(), ..chord }), Hit::MISS);
-    assert_eq!(closest(&ball, &Ray { t_min: root, ..chord }), Hit::MISS);
+    assert_eq!(closest(&ball, &Ray { t_max: root.next_up(), ..chord }).t, root);
+    assert_eq!(closest(&ball, &Ray { t_max: root, ..chord }), Hit::MISS);
+    assert_eq!(closest(&ball, &Ray { t_min: root, ..chord }).t, root);
+    assert_eq!(closest(&ball, &Ray { t_min: root.next_up(), ..chord }), Hit::MISS);
 }
 
 #[test]

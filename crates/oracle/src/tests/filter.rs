@@ -1,6 +1,9 @@
 //! The filter changes no answer, and pays.
 
-use std::time::Instant;
+use std::{
+    f64::consts::{PI, TAU},
+    time::Instant,
+};
 
 use glam::Vec3;
 use rayproof_scene::{Geometry, Mesh, Ray, Scene};
@@ -81,7 +84,7 @@ fn at_the_ends_of_the_number_range() {
 fn a_large_mesh_is_fast() {
     let (rows, columns) = (660_u32, 660_u32);
     let vertex = |i: u32, j: u32| {
-        let (theta, phi) = (f64::from(i) / f64::from(rows) * 3.141_5, f64::from(j) / f64::from(columns) * 6.283_185);
+        let (theta, phi) = (f64::from(i) / f64::from(rows) * PI, f64::from(j) / f64::from(columns) * TAU);
         let radius = 1.0 + 0.05 * (9.0 * theta).sin() * (7.0 * phi).sin();
         (glam::DVec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()) * radius).as_vec3()
     };

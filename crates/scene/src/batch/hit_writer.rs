@@ -91,7 +91,7 @@ impl HitWriter {
     /// When the writer is for another [`HitKind`].
     pub fn write_any(&mut self, hits: &[u8]) -> Result<(), Error> {
         self.expect(HitKind::Any);
-        self.table.write(hits)
+        hits.chunks(BLOCK_ROWS).try_for_each(|hits| self.table.write(hits))
     }
 
     /// Appends how many crossings there were.

@@ -28,17 +28,14 @@ impl ParquetTable {
 
     /// Appends whole rows.
     pub(super) fn write(&mut self, layout: &Layout, rows: &[u8]) -> io::Result<()> {
-        for rows in rows.chunks(super::BLOCK_ROWS * layout.row_bytes()) {
-            let mut offset = 0;
-            let mut columns = Vec::with_capacity(layout.columns.len());
-            for (_, kind) in &layout.columns {
-                columns.push(column(*kind, rows, layout.row_bytes(), offset));
-                offset += kind.bytes();
-            }
-            let batch = RecordBatch::try_new(Arc::clone(&self.schema), columns).map_err(io::Error::other)?;
-            self.writer.write(&batch).map_err(io_error)?;
+        let mut offset = 0;
+        let mut columns = Vec::with_capacity(layout.columns.len());
+        for (_, kind) in &layout.columns {
+            columns.push(column(*kind, rows, layout.row_bytes(), offset));
+            offset += kind.bytes();
         }
-        Ok(())
+        let batch = RecordBatch::try_new(Arc::clone(&self.schema), columns).map_err(io::Error::other)?;
+        self.writer.write(&batch).map_err(io_error)
     }
 
     /// Writes the footer.

@@ -108,7 +108,7 @@ impl TableWriter {
     ) -> io::Result<Self> {
         let encoder = match format {
             Format::Npy => {
-                output.write_all(&layout.npy_header(0))?;
+                output.write_all(&layout.npy_header(total.unwrap_or(0)))?;
                 Encoder::Npy(output)
             }
             Format::Csv => {
@@ -124,7 +124,7 @@ impl TableWriter {
         Ok(Self { path: path.to_owned(), layout, encoder, rows: 0, total })
     }
 
-    /// Appends whole rows.
+    /// Appends whole rows, [`BLOCK_ROWS`](super::BLOCK_ROWS) at most, so that memory is bounded.
     pub(super) fn write(&mut self, rows: &[u8]) -> Result<(), Error> {
         let row_bytes = self.layout.row_bytes();
         assert!(rows.len().is_multiple_of(row_bytes), "{} bytes are no whole rows of {row_bytes}", rows.len());

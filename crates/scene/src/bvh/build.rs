@@ -68,8 +68,7 @@ impl Boundable for Bounded {
 fn binary_tree(boxes: &[[Vec3; 2]], size: f32) -> Bvh2 {
     // Topology alone is taken from this tree: rounding here cannot lose a hit.
     let unit = |v: Vec3| Vec3A::from(v) / size;
-    let bounded: Vec<Bounded> =
-        boxes.par_iter().map(|b| Bounded(Aabb::new(unit(b[0]), unit(b[1])))).collect();
+    let bounded: Vec<Bounded> = boxes.par_iter().map(|b| Bounded(Aabb::new(unit(b[0]), unit(b[1])))).collect();
     let parameters = BvhBuildParams {
         pre_split: false,
         ploc_search_distance: PlocSearchDistance::Medium,
@@ -103,9 +102,7 @@ fn binary_boxes(binary: &Bvh2, primitives: &[[Vec3; 2]]) -> Vec<[Vec3; 2]> {
 }
 
 fn union(boxes: impl Iterator<Item = [Vec3; 2]>) -> [Vec3; 2] {
-    boxes
-        .reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
-        .unwrap_or([Vec3::ZERO; 2])
+    boxes.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]).unwrap_or([Vec3::ZERO; 2])
 }
 
 fn half_area(b: [Vec3; 2]) -> f64 {
@@ -296,7 +293,8 @@ mod tests {
 
     #[test]
     fn every_primitive_is_found_once_inside_its_boxes() {
-        for (triangles, spheres) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 3), (4, 0), (5, 0), (500, 0), (0, 500), (700, 600)]
+        for (triangles, spheres) in
+            [(0, 0), (1, 0), (0, 1), (1, 1), (2, 3), (4, 0), (5, 0), (500, 0), (0, 500), (700, 600)]
         {
             let scene = scene(triangles, spheres);
             for scaling in [Scaling::None, Scaling::PowerOfTwo] {

@@ -42,7 +42,7 @@ impl Child {
     /// The word that kernels read: bit 31 a leaf, bit 30 spheres, bits 28 and 29 the count less one, the rest an
     /// index.
     #[expect(clippy::cast_possible_truncation, reason = "Bvh::new bounds the number of primitives by 2^28 - 1")]
-    pub(super) const fn word(self) -> u32 {
+    pub const fn word(self) -> u32 {
         match self {
             Self::Empty => EMPTY,
             Self::Node(index) => index as u32,

@@ -62,10 +62,9 @@ impl Packed {
                 PackedTriangle { a: scaled(t.a), id, b: scaled(t.b), pad0: 0, c: scaled(t.c), pad1: 0 }
             })),
             Geometry::Spheres(spheres) => {
-                self.spheres.extend(spheres.iter().map(|s| Sphere {
-                    center: scaled(s.center),
-                    radius: s.radius * first * second,
-                }));
+                self.spheres.extend(
+                    spheres.iter().map(|s| Sphere { center: scaled(s.center), radius: s.radius * first * second }),
+                );
                 self.sphere_ids.extend((0..spheres.len()).map(|i| (start + i) as u32));
             }
         }

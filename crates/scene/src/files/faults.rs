@@ -32,7 +32,7 @@ impl<'a> Faults<'a> {
     /// Notes a vertex that is not finite.
     pub(super) fn vertex(&mut self, place: Arguments<'_>, v: Vec3) {
         if !v.is_finite() {
-            let what = format_args!("the vertex ({}, {}, {}) is not finite", v.x, v.y, v.z);
+            let what = format_args!("the vertex ({:?}, {:?}, {:?}) is not finite", v.x, v.y, v.z);
             self.add(place, what, "give three finite numbers within the range of f32");
         }
     }
@@ -41,10 +41,10 @@ impl<'a> Faults<'a> {
     pub(super) fn sphere(&mut self, place: Arguments<'_>, s: Sphere) {
         let (c, r) = (s.center, s.radius);
         if !c.is_finite() || !r.is_finite() {
-            let what = format_args!("the sphere ({}, {}, {}, {r}) is not finite", c.x, c.y, c.z);
+            let what = format_args!("the sphere ({:?}, {:?}, {:?}, {r:?}) is not finite", c.x, c.y, c.z);
             self.add(place, what, "give x, y, z and radius as finite numbers within the range of f32");
         } else if r < 0.0 {
-            self.add(place, format_args!("the radius {r} is negative"), "give a radius of zero or more");
+            self.add(place, format_args!("the radius {r:?} is negative"), "give a radius of zero or more");
         }
     }
 

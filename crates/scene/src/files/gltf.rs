@@ -32,7 +32,8 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, Error> {
 /// The nodes of the default scene and their world transforms.
 fn nodes<'a>(file: &str, document: &'a Document) -> Result<Vec<(Node<'a>, DMat4)>, Error> {
     let scene = document.default_scene().or_else(|| document.scenes().next());
-    let scene = scene.ok_or_else(|| Error::bad(file, "scenes", "there is no scene", "give a scene with the nodes to load"))?;
+    let scene =
+        scene.ok_or_else(|| Error::bad(file, "scenes", "there is no scene", "give a scene with the nodes to load"))?;
     let mut seen = vec![false; document.nodes().len()];
     let mut walk = Vec::new();
     let mut next: Vec<_> = scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect();
@@ -86,32 +87,24 @@ fn add(
         mesh.vertices.push(v);
     }
     let count = mesh.vertices.len() - base;
-    let (Ok(base), Ok(_)) = (u32::try_from(base), u32::try_from(mesh.vertices.len())) else {
+    let (Ok(base), Ok(end)) = (u32::try_from(base), u32::try_from(mesh.vertices.len())) else {
         return Err(data.bad(place, "there are more than 4294967295 vertices", "split the file"));
     };
-    let Some(accessor) = primitive.indices() else {
-        return triangles(place, data, mode, count, |i| i as u32, base, mesh);
+    let indices: Vec<u32> = match primitive.indices() {
+        Some(accessor) => data.indices(&accessor)?.collect(),
+        None => (0..end - base).collect(),
     };
-    let indices: Vec<u32> = data.indices(&accessor)?.collect();
-    let expected = format!("it has {count} vertices: give indices from 0 and below {count}");
-    for (i, &index) in indices.iter().enumerate().filter(|&(_, &index)| index as usize >= count) {
-        let what = format_args!("vertex {index} is out of range");
-        faults.add(format_args!("{place}, index {i} (counting from 0)"), what, &expected);
+    let mut out_of_range = indices.iter().enumerate().filter(|&(_, &index)| index as usize >= count).peekable();
+    if out_of_range.peek().is_some() {
+        let expected = format!("it has {count} vertices: give indices from 0 and below {count}");
+        for (i, index) in out_of_range {
+            let what = format_args!("vertex {index} is out of range");
+            faults.add(format_args!("{place}, index {i} (counting from 0)"), what, &expected);
+        }
+        return Ok(());
     }
-    triangles(place, data, mode, indices.len(), |i| indices[i], base, mesh)
-}
-
-/// Appends the triangles over `count` vertices, each found by `index` and counted from `base`.
-fn triangles(
-    place: &str,
-    data: &Data<'_>,
-    mode: Mode,
-    count: usize,
-    index: impl Fn(usize) -> u32,
-    base: u32,
-    mesh: &mut Mesh,
-) -> Result<(), Error> {
-    let mut push = |corners: [usize; 3]| mesh.triangles.push(corners.map(|i| base + index(i)));
+    let mut push = |corners: [usize; 3]| mesh.triangles.push(corners.map(|i| base + indices[i]));
+    let count = indices.len();
     match mode {
         Mode::Triangles if !count.is_multiple_of(3) => {
             let what = format!("{count} vertices are not whole triangles");

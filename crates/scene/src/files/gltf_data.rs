@@ -116,7 +116,8 @@ impl<'a> Data<'a> {
     /// The bytes of each value.
     fn slots(&self, accessor: &Accessor<'_>) -> Result<impl Iterator<Item = &[u8]>, Error> {
         let view = accessor.view().filter(|_| accessor.sparse().is_none());
-        let view = view.ok_or_else(|| self.bad_accessor(accessor, "it is sparse", "write sparse accessors out in full"))?;
+        let view =
+            view.ok_or_else(|| self.bad_accessor(accessor, "it is sparse", "write sparse accessors out in full"))?;
         let (size, count) = (accessor.size(), accessor.count());
         let stride = view.stride().unwrap_or(size);
         let bytes = (|| {
@@ -124,7 +125,8 @@ impl<'a> Data<'a> {
             let last = count.saturating_sub(1).checked_mul(stride)?;
             bytes.get(accessor.offset()..)?.get(..if count == 0 { 0 } else { last.checked_add(size)? })
         })();
-        let expected = "give an offset, stride and count whose values lie within the buffer view, and a view within the buffer";
+        let expected =
+            "give an offset, stride and count whose values lie within the buffer view, and a view within the buffer";
         let bytes = bytes.ok_or_else(|| self.bad_accessor(accessor, "it reaches beyond its buffer view", expected))?;
         Ok((0..count).map(move |i| &bytes[i * stride..][..size]))
     }

@@ -10,8 +10,25 @@ use crate::{Error, Mesh};
 
 /// Statements that hold no triangle.
 const NO_SURFACE: [&str; 19] = [
-    "vt", "vn", "vp", "p", "l", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp",
-    "d_interp", "lod", "shadow_obj", "trace_obj",
+    "vt",
+    "vn",
+    "vp",
+    "p",
+    "l",
+    "o",
+    "g",
+    "s",
+    "mg",
+    "usemtl",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
 ];
 
 pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Mesh, Error> {
@@ -80,7 +97,11 @@ fn vertex<'a>(mut words: impl Iterator<Item = &'a str>, line: usize, faults: &mu
 fn corner(word: &str, known: usize, total: usize, line: usize, faults: &mut Faults<'_>) -> Option<u32> {
     let place = format_args!("line {line}");
     let Ok(number) = word.split('/').next().unwrap_or_default().parse::<i64>() else {
-        faults.add(place, format_args!("`{word}` is not the number of a vertex"), "give a face as v, v/vt, v//vn or v/vt/vn");
+        faults.add(
+            place,
+            format_args!("`{word}` is not the number of a vertex"),
+            "give a face as v, v/vt, v//vn or v/vt/vn",
+        );
         return None;
     };
     let index = if number < 0 { i64::try_from(known).ok()?.checked_add(number) } else { number.checked_sub(1) };

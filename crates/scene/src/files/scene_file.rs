@@ -77,8 +77,12 @@ fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometr
             spheres.map(Geometry::Spheres)
         }
         (None, Some(Value::Array(rows))) => inline(file, i, &rows).map(Geometry::Spheres),
-        (mesh, _) => {
-            let what = if mesh.is_some() { "it has both `mesh` and `spheres`" } else { "it has no `mesh` and no `spheres`" };
+        (mesh, spheres) => {
+            let what = match (mesh, spheres) {
+                (None, None) => "it has no `mesh` and no `spheres`",
+                (None, Some(_)) => "`spheres` is neither a path nor rows",
+                (Some(_), _) => "it has both `mesh` and `spheres`",
+            };
             let expected = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..]";
             Err(Error::bad(file, format!("geometry {i} (counting from 0)"), what, expected))
         }

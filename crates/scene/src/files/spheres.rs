@@ -67,7 +67,12 @@ pub(super) fn npy(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
     let width = if wide { 32 } else { 16 };
     if rows.checked_mul(width) != Some(rest.len() as u64) {
         let what = format!("{rows} rows of {width} bytes are announced and {} bytes follow", rest.len());
-        return Err(Error::bad(file, format!("row {} (counting from 0)", rest.len() as u64 / width), what, "give the whole file"));
+        return Err(Error::bad(
+            file,
+            format!("row {} (counting from 0)", rest.len() as u64 / width),
+            what,
+            "give the whole file",
+        ));
     }
     let spheres: Vec<_> = if wide {
         let row = |row| bytemuck::pod_read_unaligned::<[[u8; 8]; 4]>(row).map(|x| nearest(f64::from_le_bytes(x)));
@@ -89,7 +94,9 @@ pub(super) fn npy(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
 fn check_header(bytes: &[u8]) -> Result<(), &'static str> {
     let (start, length) = match *bytes {
         [0x93, b'N', b'U', b'M', b'P', b'Y', 1, _, a, b, ..] => (10, usize::from(u16::from_le_bytes([a, b]))),
-        [0x93, b'N', b'U', b'M', b'P', b'Y', 2 | 3, _, a, b, c, d, ..] => (12, u32::from_le_bytes([a, b, c, d]) as usize),
+        [0x93, b'N', b'U', b'M', b'P', b'Y', 2 | 3, _, a, b, c, d, ..] => {
+            (12, u32::from_le_bytes([a, b, c, d]) as usize)
+        }
         _ => return Err("this is not an npy file"),
     };
     let text = bytes[start..].get(..length).ok_or("the file ends within it")?;

@@ -28,7 +28,8 @@ pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Mesh, Error> {
             Some(n) => format!("{n} facets are announced and {} bytes follow", bytes.len() - HEADER),
             None => format!("the file ends after {} bytes", bytes.len()),
         };
-        let expected = "give a whole file: a binary one has 84 bytes and 50 more a facet, an ASCII one begins with `solid`";
+        let expected =
+            "give a whole file: a binary one has 84 bytes and 50 more a facet, an ASCII one begins with `solid`";
         Err(Error::bad(file, "the header", what, expected))
     }
 }
@@ -58,44 +59,44 @@ fn ascii(file: &str, bytes: &[u8]) -> Result<Mesh, Error> {
     let mut last = 0;
     for (line, text) in (1..).zip(bytes.split(|&b| b == b'\n').map(String::from_utf8_lossy)) {
         let mut words = text.split_ascii_whitespace();
-        let Some(word) = words.next().map(str::to_ascii_lowercase) else { continue };
+        let Some(word) = words.next() else { continue };
         last = line;
-        match word.as_str() {
-            "solid" if !inside => inside = true,
-            "endsolid" if inside && next == 0 => inside = false,
-            word if inside && word == FACET_LINES[next] => {
-                if word == "vertex" {
-                    vertices.push(vertex(words, line, &mut faults));
-                }
-                next = (next + 1) % FACET_LINES.len();
+        let is = |expected| word.eq_ignore_ascii_case(expected);
+        if inside && is(FACET_LINES[next]) {
+            if is("vertex") {
+                vertices.push(vertex(words, line, &mut faults));
             }
-            _ => {
-                let expected = if inside { FACET_LINES[next] } else { "solid" };
-                let what = format!("`{}` is out of place", text.trim());
-                return Err(Error::bad(file, format!("line {line}"), what, format!("`{expected}` should come here")));
-            }
+            next = (next + 1) % FACET_LINES.len();
+        } else if !inside && is("solid") {
+            inside = true;
+        } else if inside && next == 0 && is("endsolid") {
+            inside = false;
+        } else {
+            let expected = if inside { FACET_LINES[next] } else { "solid" };
+            let what = format!("`{}` is out of place", text.trim());
+            return Err(Error::bad(file, format!("line {line}"), what, format!("`{expected}` should come here")));
         }
     }
     faults.none()?;
     if inside {
-        return Err(Error::bad(file, format!("line {last}"), "the file ends inside a solid", "give it up to `endsolid`"));
+        return Err(Error::bad(
+            file,
+            format!("line {last}"),
+            "the file ends inside a solid",
+            "give it up to `endsolid`",
+        ));
     }
     unwelded(file, vertices)
 }
 
-fn vertex<'a>(words: impl Iterator<Item = &'a str>, line: usize, faults: &mut Faults<'_>) -> Vec3 {
-    let numbers: Vec<&str> = words.collect();
-    let mut v = Vec3::ZERO;
-    for (i, axis) in v.as_mut().iter_mut().enumerate() {
-        match numbers.get(i).map(|word| word.parse()) {
-            Some(Ok(x)) if numbers.len() == 3 => *axis = x,
-            _ => {
-                let what = format_args!("`vertex {}` is not three numbers", numbers.join(" "));
-                faults.add(format_args!("line {line}"), what, "give `vertex x y z`");
-                return Vec3::ZERO;
-            }
-        }
-    }
+/// The three numbers of a vertex.
+fn vertex<'a>(mut words: impl Iterator<Item = &'a str>, line: usize, faults: &mut Faults<'_>) -> Vec3 {
+    let mut number = || words.next().and_then(|word| word.parse().ok());
+    let (Some(x), Some(y), Some(z), None) = (number(), number(), number(), words.next()) else {
+        faults.add(format_args!("line {line}"), format_args!("this is not three numbers"), "give `vertex x y z`");
+        return Vec3::ZERO;
+    };
+    let v = Vec3::new(x, y, z);
     faults.vertex(format_args!("line {line}"), v);
     v
 }

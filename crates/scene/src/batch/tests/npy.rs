@@ -139,6 +139,15 @@ fn float64_is_rounded_to_the_nearest_and_counted() {
 }
 
 #[test]
+fn a_float64_nan_is_no_rounded_value() {
+    let data = [f64::NAN, 1.0, 1.0, 1.0, 1.0, 0.1].iter().flat_map(|x| x.to_le_bytes()).collect();
+    let input = Box::new(std::io::Cursor::new(npy_bytes(&dictionary("'<f8'", "(1, 6)"), data)));
+    let mut reader = RayReader::from_input(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
+    assert_eq!(drain(&mut reader, 10).unwrap(), [INVALID_RAY]);
+    assert_eq!((reader.invalid(), reader.rounded_values()), (1, 1));
+}
+
+#[test]
 fn float64_beyond_float32_is_bad_in_origin_and_direction() {
     for (place, what) in [(0, "the origin is not finite"), (4, "the direction is not finite")] {
         let mut values = [1.0; 6];

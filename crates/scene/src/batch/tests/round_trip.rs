@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use super::{bits, dictionary, drain, npy_bytes, read_file, read_pipe};
-use crate::batch::Format;
+use crate::batch::{BLOCK_ROWS, Format};
 use crate::{Error, InvalidRays, Ray, RayReader, RayWriter};
 
 /// The seed of every property here; proptest prints the input that fails.
@@ -89,6 +89,22 @@ proptest! {
 #[expect(clippy::cast_possible_truncation, reason = "what is expected")]
 fn expected_bits(x: f64) -> u32 {
     (x as f32).to_bits()
+}
+
+#[test]
+fn more_rays_than_a_block_keep_their_order() {
+    let rays = super::some_rays(2 * BLOCK_ROWS + 3);
+    let directory = tempfile::tempdir().unwrap();
+    for (ending, _) in formats() {
+        let path = directory.path().join(format!("rays.{ending}"));
+        let mut writer = RayWriter::create(&path, None, false, None).unwrap();
+        writer.write(&rays).unwrap();
+        writer.finish().unwrap();
+        for max in [BLOCK_ROWS - 1, BLOCK_ROWS, BLOCK_ROWS + 1, 3 * BLOCK_ROWS] {
+            let mut reader = RayReader::open(&path, None, InvalidRays::Error).unwrap();
+            assert!(drain(&mut reader, max).unwrap() == rays, "{ending} in batches of {max}");
+        }
+    }
 }
 
 /// Only bad input may be the answer to bytes, and never a panic.

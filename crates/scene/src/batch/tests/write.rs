@@ -8,6 +8,7 @@ use glam::Vec3;
 use super::{bad, some_rays};
 use crate::batch::output::Output;
 use crate::batch::table::{Kind, Layout, TableWriter};
+use crate::batch::{BLOCK_ROWS, npy};
 use crate::{Error, Format, Geometry, Hit, HitKind, HitWriter, MISS, Mesh, RayWriter, Scene, Sphere};
 
 /// A row of closest hits, as NumPy sees it.
@@ -106,6 +107,50 @@ fn any_and_count_have_their_one_column() {
         let data: &[u8] = if kind == HitKind::Any { &[1, 0, 1] } else { &[3, 0, 0, 0, 0, 0, 0, 0, 254, 255, 255, 255] };
         assert_eq!(&bytes[bytes.len() - data.len()..], data);
         assert_eq!(fs::read_to_string(directory.path().join("hits.csv")).unwrap(), csv);
+    }
+}
+
+#[test]
+fn more_hits_than_a_block_keep_their_order() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("hits.npy");
+    let count = 2 * BLOCK_ROWS + 3;
+    let mut writer = HitWriter::create(&path, None, HitKind::Closest, None).unwrap();
+    writer.write_closest(&scene(), &hits().into_iter().cycle().take(count).collect::<Vec<_>>()).unwrap();
+    writer.finish().unwrap();
+    let npy = npyz::NpyFile::new(std::io::BufReader::new(fs::File::open(&path).unwrap())).unwrap();
+    let expected: Vec<Row> = (0..count / 7 + 1).flat_map(|_| rows()).take(count).collect();
+    assert!(npy.into_vec::<Row>().unwrap() == expected);
+
+    let counts: Vec<u32> = (0..u32::MAX).step_by(7_001).take(count).collect();
+    let mut writer = HitWriter::create(&path, None, HitKind::Count, None).unwrap();
+    writer.write_count(&counts).unwrap();
+    writer.finish().unwrap();
+    let bytes = fs::read(&path).unwrap();
+    let data: Vec<u32> =
+        bytes[bytes.len() - 4 * count..].as_chunks().0.iter().map(|b| u32::from_le_bytes(*b)).collect();
+    assert!(data == counts);
+
+    let any: Vec<u8> = counts.iter().map(|count| u8::from(count % 3 == 2)).collect();
+    let mut writer = HitWriter::create(&path, None, HitKind::Any, None).unwrap();
+    writer.write_any(&any).unwrap();
+    writer.finish().unwrap();
+    let bytes = fs::read(&path).unwrap();
+    assert!(bytes[bytes.len() - count..] == any);
+}
+
+#[test]
+fn a_header_is_as_long_for_any_number_of_rows() {
+    for padding in 0..64 {
+        let descr = format!("'<f4{}'", "x".repeat(padding));
+        let header = |rows| npy::header(&descr, |rows| format!("({rows},)"), rows);
+        for rows in [0, 9, 10, 123_456_789, u64::MAX] {
+            let bytes = header(rows);
+            assert_eq!((bytes.len() % 64, bytes.len()), (0, header(0).len()), "{rows} rows");
+            let read = npy::Header::read(&mut &bytes[..]).unwrap();
+            assert_eq!((read.descr.as_str(), read.dimensions()), (descr.as_str(), Some(vec![rows])));
+            assert_eq!(read.bytes, bytes.len() as u64);
+        }
     }
 }
 

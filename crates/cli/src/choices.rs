@@ -1,0 +1,114 @@
+//! The words to choose from on the command line.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+use rayproof::Precision;
+use rayproof::scene::{self, InvalidRays};
+
+use crate::exit::{Code, Failure};
+
+/// What is asked of a ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Query {
+    /// Where it first meets the scene
+    #[default]
+    Closest,
+    /// Whether it meets the scene at all
+    Any,
+}
+
+/// How hits are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Tier {
+    /// The textbook formulas in f32
+    Classic,
+    /// f32 in its best-conditioned form
+    #[default]
+    Fast,
+}
+
+impl From<Tier> for Precision {
+    fn from(tier: Tier) -> Self {
+        match tier {
+            Tier::Classic => Self::Classic,
+            Tier::Fast => Self::Fast,
+        }
+    }
+}
+
+/// What becomes of a bad ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Invalid {
+    /// The run stops, with exit code 5
+    #[default]
+    Error,
+    /// It hits nothing, and is counted
+    Miss,
+}
+
+impl From<Invalid> for InvalidRays {
+    fn from(invalid: Invalid) -> Self {
+        match invalid {
+            Invalid::Error => Self::Error,
+            Invalid::Miss => Self::Miss,
+        }
+    }
+}
+
+/// The formats of rays and hits on stdout; on stdin the first bytes tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    #[default]
+    Npy,
+    Csv,
+    #[cfg(feature = "parquet")]
+    Parquet,
+}
+
+impl Format {
+    /// The format to write `path` in: this one for stdout, else what its ending says.
+    ///
+    /// # Errors
+    /// A usage error where the ending says nothing.
+    pub(crate) fn of_output(self, path: &Path) -> Result<scene::Format, Failure> {
+        if path.as_os_str() != "-" {
+            return scene::Format::of(path).map_err(|e| Failure::new(Code::Usage, format!("--output: {e}")));
+        }
+        Ok(match self {
+            Self::Npy => scene::Format::Npy,
+            Self::Csv => scene::Format::Csv,
+            #[cfg(feature = "parquet")]
+            Self::Parquet => scene::Format::Parquet,
+        })
+    }
+}
+
+/// Rays made for a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kind {
+    /// Through the pixels of a picture, row by row from the top left
+    #[default]
+    Primary,
+    /// From random points of the scene's bounding sphere to random points of its box
+    Incoherent,
+    /// From where primary rays hit, in cosine-weighted random directions about the surface's normal
+    Diffuse,
+}
+
+/// What a pixel shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Show {
+    /// The geometric normal, lit from the camera
+    #[default]
+    Normal,
+    /// The distance: yellow is near, dark blue is far
+    Depth,
+    /// Which primitive: one colour each, the same in every picture
+    Primitive,
+    /// The barycentric weights: red, green and blue for the first, second and third vertex
+    Uv,
+    /// The error of t in ULP, against exact arithmetic (slow): from dark violet (none) over green to yellow (a
+    /// million and more), red where another primitive or none is right
+    Error,
+}

@@ -1,0 +1,145 @@
+//! `rayproof devices`: what there is to run on, and how far its arithmetic can be trusted.
+
+use std::fmt::Write as _;
+
+use rayproof::scene::Scene;
+use rayproof::{AdapterReport, DeviceChoice, DeviceInfo, Fingerprint, Intersector, Options, adapters};
+use serde::Serialize;
+
+use crate::args::Devices;
+use crate::exit::{Code, Failure, print};
+
+/// The object that `--json` prints.
+#[derive(Serialize)]
+struct Listing {
+    /// What `--device auto` takes.
+    auto: String,
+    cpu: Named,
+    adapters: Vec<Adapter>,
+}
+
+#[derive(Serialize)]
+struct Named {
+    name: String,
+    driver: String,
+}
+
+#[derive(Serialize)]
+struct Adapter {
+    index: usize,
+    name: String,
+    driver: String,
+    backend: &'static str,
+    kind: &'static str,
+    pci_bus: Option<String>,
+    max_binding_bytes: u64,
+    /// The arithmetic, once for every way a kernel can reach the driver; the first is the one that is used.
+    fingerprints: Vec<Arithmetic>,
+}
+
+/// How often each operation was not what IEEE 754 says.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Arithmetic {
+    Measured {
+        route: String,
+        ieee: bool,
+        error_free_transforms: bool,
+        pairs: usize,
+        sum_wrong: usize,
+        sum_error_wrong: usize,
+        product_wrong: usize,
+        product_error_wrong: usize,
+        contracted: usize,
+        quotient_wrong: usize,
+        quotient_ulp: u32,
+        root_wrong: usize,
+        root_ulp: u32,
+        fused: usize,
+        comparisons_wrong: usize,
+        subnormals: usize,
+        subnormals_wrong: usize,
+    },
+    Failed {
+        error: String,
+    },
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &Devices) -> Result<(), Failure> {
+    let (auto, cpu) = (info(DeviceChoice::Auto)?, info(DeviceChoice::Cpu)?);
+    let adapters = adapters();
+    if !args.json {
+        return print(text(&auto, &cpu, &adapters).trim_end());
+    }
+    let listing = Listing {
+        auto: auto.name,
+        cpu: Named { name: cpu.name, driver: cpu.driver },
+        adapters: adapters.into_iter().map(adapter).collect(),
+    };
+    print(&serde_json::to_string(&listing).map_err(|e| Failure::new(Code::Running, e.to_string()))?)
+}
+
+/// What a choice comes to.
+fn info(device: DeviceChoice) -> Result<DeviceInfo, Failure> {
+    let options = Options { device, ..Options::default() };
+    Ok(Intersector::new(&Scene::default(), &options)?.device().clone())
+}
+
+fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &[AdapterReport]) -> String {
+    let mut text = format!("auto     {}\ncpu      {}; {}\n", auto.name, cpu.name, cpu.driver);
+    if adapters.is_empty() {
+        text += "no Vulkan adapter was found: install a Vulkan driver (Mesa's llvmpipe runs on any CPU)\n";
+    }
+    for a in adapters {
+        let bus = if a.pci_bus.is_empty() { String::new() } else { format!("; pci:{}", a.pci_bus) };
+        let _ = writeln!(text, "index:{}  {}; {}; {}; Vulkan{bus}", a.index, a.name, a.kind, a.driver);
+        let _ = writeln!(text, "         largest binding {} MiB", a.max_binding >> 20);
+        for fingerprint in &a.fingerprints {
+            let lines = match fingerprint {
+                Ok(fingerprint) => fingerprint.to_string(),
+                Err(error) => format!("its arithmetic could not be measured: {error}"),
+            };
+            for line in lines.lines() {
+                let _ = writeln!(text, "         {line}");
+            }
+        }
+    }
+    text
+}
+
+fn adapter(report: AdapterReport) -> Adapter {
+    let fingerprints = report.fingerprints.into_iter();
+    Adapter {
+        index: report.index,
+        name: report.name,
+        driver: report.driver,
+        backend: "Vulkan",
+        kind: report.kind,
+        pci_bus: Some(report.pci_bus).filter(|bus| !bus.is_empty()),
+        max_binding_bytes: report.max_binding,
+        fingerprints: fingerprints.map(|f| f.map_or_else(|error| Arithmetic::Failed { error }, arithmetic)).collect(),
+    }
+}
+
+fn arithmetic(f: Fingerprint) -> Arithmetic {
+    Arithmetic::Measured {
+        route: f.route.to_string(),
+        ieee: f.is_ieee(),
+        error_free_transforms: f.keeps_errors(),
+        pairs: f.pairs,
+        sum_wrong: f.sum_wrong,
+        sum_error_wrong: f.sum_error_wrong,
+        product_wrong: f.product_wrong,
+        product_error_wrong: f.product_error_wrong,
+        contracted: f.contracted,
+        quotient_wrong: f.quotient_wrong,
+        quotient_ulp: f.quotient_ulp,
+        root_wrong: f.root_wrong,
+        root_ulp: f.root_ulp,
+        fused: f.fused,
+        comparisons_wrong: f.comparisons_wrong,
+        subnormals: f.subnormals,
+        subnormals_wrong: f.subnormals_wrong,
+    }
+}

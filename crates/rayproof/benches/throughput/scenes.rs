@@ -1,0 +1,45 @@
+//! The scenes, from files or made.
+
+use std::path::Path;
+
+use glam::Vec3;
+use rayproof::scene::{Geometry, Mesh, Scene, load};
+
+/// Name and triangles, for where the file is not there.
+const SCENES: [(&str, usize); 3] = [("bunny", 69_451), ("dragon", 871_414), ("hall", 292_340)];
+
+pub(crate) fn all() -> anyhow::Result<Vec<(&'static str, Scene)>> {
+    let folder = std::env::var("RAYPROOF_SCENES").unwrap_or_default();
+    SCENES
+        .into_iter()
+        .map(|(name, triangles)| {
+            let file = Path::new(&folder).join(format!("{name}.ply"));
+            let scene = if file.exists() { load(&file)?.scene } else { made(triangles) };
+            Ok((name, scene))
+        })
+        .collect()
+}
+
+/// A closed ball with bumps of several sizes.
+fn made(triangles: usize) -> Scene {
+    let rows = ((triangles as f64 / 4.0).sqrt()) as u32;
+    let columns = rows * 2;
+    let mut mesh = Mesh::default();
+    for i in 0..=rows {
+        for j in 0..columns {
+            let (theta, phi) = (
+                std::f32::consts::PI * i as f32 / rows as f32,
+                std::f32::consts::TAU * j as f32 / columns as f32,
+            );
+            let r = 1.0 + 0.1 * (5.0 * theta).sin() * (7.0 * phi).cos() + 0.01 * (61.0 * theta).sin() * (83.0 * phi).cos();
+            mesh.vertices.push(Vec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin()) * r);
+        }
+    }
+    for i in 0..rows {
+        for j in 0..columns {
+            let (a, b) = (i * columns + j, i * columns + (j + 1) % columns);
+            mesh.triangles.extend([[a, a + columns, b], [b, a + columns, b + columns]]);
+        }
+    }
+    Scene::new(vec![Geometry::Mesh(mesh)])
+}

@@ -1,0 +1,60 @@
+//! `--check`: the oracle's word on the answers, and exit code 3.
+
+use super::{Folder, npy_data, npy_rays};
+
+/// A unit sphere seen from so far that the textbook formula in single precision goes wrong: half of the rays pass just
+/// inside the rim, half just outside.
+fn far_sphere() -> Folder {
+    let folder = Folder::new();
+    folder.write("far.toml", "[[geometry]]\nspheres = [[0.0, 0.0, 0.0, 1.0]]\n");
+    let row = |i: usize| {
+        let angle = i as f32 * 0.1;
+        let off = if i.is_multiple_of(2) { 0.98 } else { 1.02 };
+        [off * angle.cos(), off * angle.sin(), 30000.0, 0.0, 0.0, -1.0]
+    };
+    folder.write("rays.npy", npy_rays(&(0..100).map(row).collect::<Vec<_>>()));
+    folder
+}
+
+#[test]
+fn a_disagreement_is_printed_and_is_exit_code_3_and_the_hits_are_written() {
+    let folder = far_sphere();
+    let line = "intersect far.toml rays.npy -o hits.npy --device cpu --precision classic --check 100 --json";
+    let ran = folder.run(line).expect(3, &["disagrees", "origin", "exact", "answer", "0x", "disagreements more"]);
+    let json = ran.json();
+    let wrong = json["disagreed"].as_u64().unwrap();
+    assert_eq!(json["checked"], 100);
+    assert!(wrong > 10 && wrong <= 100, "{json}");
+    assert_eq!(ran.stderr.matches("disagrees").count(), 10, "{}", ran.stderr);
+    assert!(ran.stderr.contains(&format!("... and {} disagreements more", wrong - 10)), "{}", ran.stderr);
+    assert_eq!(npy_data(&folder.read("hits.npy")).len(), 100 * 20);
+    // Disagreements are not for --quiet to hide.
+    folder.run(&format!("{line} --quiet")).expect(3, &["disagrees"]);
+}
+
+#[test]
+fn the_fast_tier_passes_where_the_classic_one_fails() {
+    let folder = far_sphere();
+    for query in ["closest", "any"] {
+        let ran = folder
+            .run(&format!("intersect far.toml rays.npy -o hits.npy --device cpu --query {query} --check 100 --json"));
+        let json = ran.expect(0, &["100 rays against exact arithmetic"]).json();
+        assert_eq!((&json["checked"], &json["disagreed"]), (&100.into(), &0.into()));
+        assert_eq!(json["hits"], 50);
+    }
+}
+
+#[test]
+fn as_many_rays_are_checked_as_asked_whether_their_number_is_known_or_not() {
+    let folder = Folder::with_scene();
+    folder.run("rays scene.toml -o rays.npy --size 40x30").expect(0, &[]);
+    folder.run("rays scene.toml -o rays.csv --size 40x30").expect(0, &[]);
+    for rays in ["rays.npy", "rays.csv"] {
+        for (check, checked) in [(0, 0), (1, 1), (77, 77), (1200, 1200), (9999, 1200)] {
+            let line = format!("intersect scene.toml {rays} -o hits.npy --device cpu --json --check {check}");
+            let json = folder.run(&line).expect(0, &[]).json();
+            assert_eq!(json["checked"], checked, "{line}");
+            assert_eq!(json["disagreed"], 0, "{line}");
+        }
+    }
+}

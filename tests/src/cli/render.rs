@@ -1,0 +1,48 @@
+//! `rayproof render`: pictures.
+
+use std::collections::HashSet;
+
+use super::Folder;
+
+const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR";
+
+/// The size that a PNG's header tells.
+fn size(png: &[u8]) -> (u32, u32) {
+    let rest = png.strip_prefix(MAGIC).unwrap();
+    let number = |at: usize| u32::from_be_bytes(rest[at..at + 4].try_into().unwrap());
+    assert_eq!(&png[png.len() - 8..png.len() - 4], b"IEND");
+    (number(0), number(4))
+}
+
+#[test]
+fn every_kind_of_picture_has_the_size_asked_for_and_is_the_same_in_every_run() {
+    let folder = Folder::with_scene();
+    let mut different = HashSet::new();
+    for show in ["normal", "depth", "primitive", "uv", "error"] {
+        let line = format!("render scene.toml -o picture.png --show {show} --size 90x70 --device cpu");
+        folder.run(&line).expect(0, &["CPU", "picture.png"]);
+        let picture = folder.read("picture.png");
+        assert_eq!(size(&picture), (90, 70), "{show}");
+        let piped = folder.run(&line.replace("picture.png", "-")).expect(0, &[]).stdout;
+        assert!(piped == picture, "{show}");
+        different.insert(picture);
+    }
+    assert_eq!(different.len(), 5);
+    folder.run("render scene.toml -o picture.PNG --device cpu").expect(0, &[]);
+    assert_eq!(size(&folder.read("picture.PNG")), (800, 600));
+}
+
+#[test]
+fn the_error_picture_shows_what_the_precision_costs() {
+    let folder = Folder::new();
+    let camera = "[camera]\neye = [0, 0, 20000]\ntarget = [0, 0, 0]\nup = [0, 1, 0]\nfov_y = 0.008\n";
+    folder.write("far.toml", format!("[[geometry]]\nspheres = [[0.0, 0.0, 0.0, 1.0]]\n{camera}"));
+    let make = |precision: &str| {
+        let line = format!(
+            "render far.toml -o {precision}.png --show error --precision {precision} --size 50x50 --device cpu"
+        );
+        folder.run(&line).expect(0, &[]);
+        folder.read(&format!("{precision}.png"))
+    };
+    assert!(make("fast") != make("classic"));
+}
