@@ -7,7 +7,7 @@ use crate::bvh::slab::WideNode;
 use crate::bvh::traverse::{Stack, stack, traverse};
 use crate::lanes::Triangles4;
 use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles, lanes};
-use crate::{classic, fast};
+use crate::{classic, fast, wide};
 
 /// Rays one task takes: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
@@ -65,7 +65,7 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) {
-        self.batch(rays, hits, |ray, stack| {
+        self.batch(rays, hits, #[inline(always)] |ray, stack| {
             let hit = self.trace::<false>(ray, stack);
             if hit.is_hit() { hit } else { Hit::MISS }
         });
@@ -76,7 +76,7 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) {
-        self.batch(rays, hits, |ray, stack| u8::from(self.trace::<true>(ray, stack).is_hit()));
+        self.batch(rays, hits, #[inline(always)] |ray, stack| u8::from(self.trace::<true>(ray, stack).is_hit()));
     }
 
     fn batch<A: Send>(&self, rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray, &mut Stack) -> A + Sync) {
@@ -84,9 +84,11 @@ impl Engine {
         rays.par_chunks(TASK).zip(answers.par_chunks_mut(TASK)).for_each_init(
             || stack(self.bvh.stack_depth),
             |stack, (rays, answers)| {
-                for (ray, slot) in rays.iter().zip(answers) {
-                    *slot = answer(ray, stack);
-                }
+                wide::run(|| {
+                    for (ray, slot) in rays.iter().zip(answers) {
+                        *slot = answer(ray, stack);
+                    }
+                });
             },
         );
     }

@@ -28,6 +28,7 @@ mod fast;
 mod lanes;
 mod leaf;
 mod math;
+mod wide;
 
 pub use engine::Engine;
 pub use rayproof_scene::bvh::Tier;

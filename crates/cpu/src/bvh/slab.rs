@@ -15,9 +15,10 @@ const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
 /// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit. The planes
 /// of an empty slot are infinite, which no ray meets.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
 pub(crate) struct WideNode {
-    low: [Vec4; 3],
-    high: [Vec4; 3],
+    /// Low x, high x, low y, high y, low z, high z.
+    planes: [Vec4; 6],
     pub(crate) children: [u32; 4],
 }
 
@@ -29,8 +30,7 @@ impl WideNode {
         });
         let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
         Self {
-            low: [planes(0, 0), planes(0, 1), planes(0, 2)],
-            high: [planes(1, 0), planes(1, 1), planes(1, 2)],
+            planes: [planes(0, 0), planes(1, 0), planes(0, 1), planes(1, 1), planes(0, 2), planes(1, 2)],
             children: node.children,
         }
     }
@@ -38,8 +38,11 @@ impl WideNode {
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxRay {
-    from_low: Vec3,
-    from_high: Vec3,
+    /// What the planes that the ray meets first on each axis are measured from, and those it meets last.
+    from_near: Vec3,
+    from_far: Vec3,
+    /// Which of [`WideNode::planes`] are met first; the other of a pair is met last.
+    near: [usize; 3],
     inverse: Vec3,
     s_min: f32,
     slack: f32,
@@ -71,9 +74,13 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32
     let still: BVec3 = direction.abs().cmplt(Vec3::splat(SMALLEST_DIRECTION));
     let moved = Vec3::select(still, Vec3::splat(SMALLEST_DIRECTION), direction);
     let wide = Vec3::splat(reach * power_of_two(-50)).max(o.abs() * power_of_two(-22));
+    let from_low = Vec3::select(still, o + wide, o);
+    let from_high = Vec3::select(still, o - wide, o);
+    let back = moved.cmplt(Vec3::ZERO);
     BoxRay {
-        from_low: Vec3::select(still, o + wide, o),
-        from_high: Vec3::select(still, o - wide, o),
+        from_near: Vec3::select(back, from_high, from_low),
+        from_far: Vec3::select(back, from_low, from_high),
+        near: [usize::from(back.x), 2 + usize::from(back.y), 4 + usize::from(back.z)],
         inverse: Vec3::ONE / moved,
         s_min,
         slack: params.scene_size * power_of_two(-40),
@@ -82,14 +89,11 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32
 
 #[inline(always)]
 pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Keys {
-    let ax = (node.low[0] - ray.from_low.x) * ray.inverse.x;
-    let bx = (node.high[0] - ray.from_high.x) * ray.inverse.x;
-    let ay = (node.low[1] - ray.from_low.y) * ray.inverse.y;
-    let by = (node.high[1] - ray.from_high.y) * ray.inverse.y;
-    let az = (node.low[2] - ray.from_low.z) * ray.inverse.z;
-    let bz = (node.high[2] - ray.from_high.z) * ray.inverse.z;
-    let enter = ax.min(bx).max(ay.min(by)).max(az.min(bz));
-    let leave = ax.max(bx).min(ay.max(by)).min(az.max(bz));
+    // The kernel takes the smaller and the larger of the two planes' distances; the direction's sign tells which is which,
+    // since low <= high, from_low >= from_high, and rounding keeps order.
+    let enter = |axis: usize| (node.planes[ray.near[axis]] - ray.from_near[axis]) * ray.inverse[axis];
+    let leave = |axis: usize| (node.planes[ray.near[axis] ^ 1] - ray.from_far[axis]) * ray.inverse[axis];
+    let (enter, leave) = (enter(0).max(enter(1)).max(enter(2)), leave(0).min(leave(1)).min(leave(2)));
     let near = ((enter * NARROW).min(enter * WIDEN) - ray.slack).max(Vec4::splat(-FARTHEST));
     let far = (leave * NARROW).max(leave * WIDEN) + ray.slack;
     let met = near.cmple(far) & near.cmple(Vec4::splat(s_max)) & far.cmpge(Vec4::splat(ray.s_min));

@@ -13,7 +13,7 @@ mod traversals;
 mod triangles;
 
 /// Printed by every failure: the seed of all tests here.
-const SEED: u64 = 2;
+const SEED: u64 = 20_261_123;
 
 /// The cases of a family by its number, by variant: the scenes of variant i are at i, i + variants, ...
 fn cases(number: usize, rays: usize) -> Vec<Case> {

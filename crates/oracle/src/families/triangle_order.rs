@@ -50,10 +50,17 @@ pub(super) fn permuted(draw: &mut Draw, variant: usize, rays: usize) -> Case {
         let away = size * draw.log(1.0, 100.0);
         let (origin, length) = ((draw.unit() * away).as_vec3(), draw.length());
         let ray = at_mesh(draw, &aim, origin, size, length);
-        // Half of them exactly at a vertex: near enough for the difference to be exact.
-        let vertex = draw.pick(&corners);
-        let origin = vertex + (draw.unit() * size).as_vec3().map(|x| x * 0.5);
-        let exact = (vertex - origin).as_dvec3() == vertex.as_dvec3() - origin.as_dvec3();
-        if draw.chance(0.5) && exact && vertex != origin { Ray::new(origin, vertex - origin) } else { ray }
+        if draw.chance(0.5) {
+            return ray;
+        }
+        // Exactly at a vertex, from near enough for the difference to be exact.
+        loop {
+            let vertex = draw.pick(&corners);
+            let origin = vertex + (draw.unit() * size * 0.5).as_vec3();
+            let direction = vertex - origin;
+            if direction.as_dvec3() == vertex.as_dvec3() - origin.as_dvec3() && direction != Vec3::ZERO {
+                return Ray::new(origin, direction);
+            }
+        }
     })
 }

@@ -104,8 +104,9 @@ pub(super) fn distant(draw: &mut Draw, variant: usize, rays: usize) -> Case {
             let distance = draw.around(nominal, 0.3);
             let off = draw.pick(&[-1000, -10, -2, -1, 0, 1, 2, 10]);
             let ray = passing_exactly(draw, distance, ulps(height, off), 0.0);
-            // That turns the axes at random; keep those that leave the third in place, right way up.
-            if ray.direction.z == 0.0 && ray.origin.z > 0.0 {
+            // That turns the axes at random; keep those that leave the third in place, right way up, and cross the edge.
+            let d = ray.direction;
+            if d.z == 0.0 && ray.origin.z > 0.0 && (d.x - d.y).abs() > 0.01 * d.length() {
                 break ray;
             }
         }

@@ -117,6 +117,31 @@ fn along_an_edge_and_in_a_face_of_a_cube() {
     }
 }
 
+/// The rule itself, on an open triangle: the line moves along the axis after the largest of `d`, and less along the
+/// next. In the plane of those two axes the triangle is (0, 0), (2, 0), (2, 2).
+#[test]
+fn the_tie_rule_is_the_documented_one() {
+    for axis in 0..3 {
+        let place = |x: f32, y: f32, z: f32| {
+            let mut p = [0.0; 3];
+            (p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]) = (z, x, y);
+            Vec3::from_array(p)
+        };
+        let corners = [place(0.0, 0.0, 0.0), place(2.0, 0.0, 0.0), place(2.0, 2.0, 0.0)];
+        let scene = scene(&Mesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] });
+        // Of equal components the first is the largest: x before y before z.
+        let tie = [place(1.0, -1.0, 1.0), place(1.0, 0.5, 1.0), place(0.5, 0.5, 1.0)][axis];
+        for d in [place(0.0, 0.0, -1.0), place(0.5, 0.25, 1.0), tie] {
+            let expected = [(0.0, 0.0, 1), (2.0, 0.0, 0), (2.0, 2.0, 0), (1.0, 0.0, 1), (1.0, 1.0, 1), (2.0, 1.0, 0)];
+            for (x, y, count) in expected {
+                let ray = Ray::new(place(x, y, 0.0) - d * 4.0, d);
+                assert_eq!(Oracle::new(&scene).all(&ray).len(), 1, "{ray:?}");
+                assert_eq!(Oracle::new(&scene).count(&ray), count, "{ray:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_tangent_of_a_sphere_counts_twice_and_the_range_cuts() {
     let scene = sphere_scene(&[Sphere { center: Vec3::ZERO, radius: 5.0 }]);

@@ -43,7 +43,7 @@ fn all_against_all() {
 #[test]
 fn at_the_ends_of_the_number_range() {
     let mut random = Random::new(0x5eed_0022);
-    let (mut misses, mut rejected) = (0, 0);
+    let (mut misses, mut rejected, mut sphere_misses, mut spheres_rejected) = (0, 0, 0, 0);
     for _ in 0..20_000 {
         let mut any = || {
             let mut component = || {
@@ -74,9 +74,33 @@ fn at_the_ends_of_the_number_range() {
         let sphere = rayproof_scene::Sphere { center: a, radius: b.x.abs() };
         let hit = !matches!(Roots::new(&line, &sphere), Roots::None);
         assert!(!(filter.misses_sphere(&sphere) && hit), "{ray:?} {sphere:?}");
+        sphere_misses += usize::from(!hit);
+        spheres_rejected += usize::from(filter.misses_sphere(&sphere));
+        // An exact tangent.
+        let (e, d) = (Vec3::new(e.x, a.y, 0.0), Vec3::X * d.x);
+        let tangent = Filter::new(&Ray::new(e, d))
+            .misses_sphere(&rayproof_scene::Sphere { center: Vec3::X * a.x, radius: a.y.abs() });
+        assert!(!tangent || d == Vec3::ZERO);
     }
     println!("{rejected} of {misses} misses of triangles rejected");
-    assert!(10 * rejected > 9 * misses);
+    println!("{spheres_rejected} of {sphere_misses} misses of spheres rejected");
+    assert!(10 * rejected > 9 * misses && 100 * spheres_rejected > 99 * sphere_misses);
+}
+
+/// A tangent from so far that `e - c` needs more bits than `f64` has: the sphere moves by less than the last of them.
+#[test]
+fn near_tangents_from_afar() {
+    let mut random = Random::new(0x5eed_0024);
+    let (d, foot) = (Vec3::new(4.0, 3.0, 0.0), Vec3::new(-3.0, 4.0, 0.0));
+    let ray = Ray::new(foot - d * 4_000_000.0, d);
+    let (line, filter, mut hits) = (Line::new(&ray), Filter::new(&ray), 0);
+    for _ in 0..2_000 {
+        let sphere = rayproof_scene::Sphere { center: random.vector() * 2.0_f32.powi(-26), radius: 5.0 };
+        let hit = !matches!(Roots::new(&line, &sphere), Roots::None);
+        assert!(!(hit && filter.misses_sphere(&sphere)), "{sphere:?}");
+        hits += usize::from(hit);
+    }
+    assert!((500..1_500).contains(&hits), "{hits}");
 }
 
 /// A bumpy globe of 871,200 triangles: every ray from inside hits it.

@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "tests")]
 #![expect(clippy::print_stdout, reason = "seeds and measured ratios are part of what a test says")]
 
+mod bits;
 mod count;
 mod damage;
 mod exact;

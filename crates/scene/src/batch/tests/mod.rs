@@ -4,6 +4,7 @@ mod csv;
 mod npy;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod pipe;
 mod round_trip;
 mod write;
 

@@ -4,6 +4,7 @@ use std::path::Path;
 use glam::Vec3;
 
 use super::{bad, bits, dictionary, drain, npy_bytes, npy_f4, read_file, read_pipe};
+use crate::batch::npy;
 use crate::{Error, Format, INVALID_RAY, InvalidRays, Ray, RayReader};
 
 /// Two rays without a range.
@@ -195,4 +196,19 @@ fn a_file_that_is_not_there_cannot_be_opened() {
     let unknown = bad(RayReader::open(Path::new("rays.txt"), None, InvalidRays::Error));
     assert_eq!(unknown.what, "the ending .txt is not known");
     assert_eq!(bad(RayReader::open(Path::new("rays"), None, InvalidRays::Error)).what, "it has no ending");
+}
+
+#[test]
+fn a_header_is_as_long_for_any_number_of_rows() {
+    for padding in 0..64 {
+        let descr = format!("'<f4{}'", "x".repeat(padding));
+        let header = |rows| npy::header(&descr, |rows| format!("({rows},)"), rows);
+        for rows in [0, 9, 10, 123_456_789, u64::MAX] {
+            let bytes = header(rows);
+            assert_eq!((bytes.len() % 64, bytes.len()), (0, header(0).len()), "{rows} rows");
+            let read = npy::Header::read(&mut &bytes[..]).unwrap();
+            assert_eq!((read.descr.as_str(), read.dimensions()), (descr.as_str(), Some(vec![rows])));
+            assert_eq!(read.bytes, bytes.len() as u64);
+        }
+    }
 }

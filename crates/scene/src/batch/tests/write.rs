@@ -1,14 +1,10 @@
 use std::fs;
-use std::io::Write;
 use std::path::Path;
-use std::sync::{Arc, Mutex};
 
 use glam::Vec3;
 
 use super::{bad, some_rays};
-use crate::batch::output::Output;
-use crate::batch::table::{Kind, Layout, TableWriter};
-use crate::batch::{BLOCK_ROWS, npy};
+use crate::batch::BLOCK_ROWS;
 use crate::{Error, Format, Geometry, Hit, HitKind, HitWriter, MISS, Mesh, RayWriter, Scene, Sphere};
 
 /// A row of closest hits, as NumPy sees it.
@@ -140,21 +136,6 @@ fn more_hits_than_a_block_keep_their_order() {
 }
 
 #[test]
-fn a_header_is_as_long_for_any_number_of_rows() {
-    for padding in 0..64 {
-        let descr = format!("'<f4{}'", "x".repeat(padding));
-        let header = |rows| npy::header(&descr, |rows| format!("({rows},)"), rows);
-        for rows in [0, 9, 10, 123_456_789, u64::MAX] {
-            let bytes = header(rows);
-            assert_eq!((bytes.len() % 64, bytes.len()), (0, header(0).len()), "{rows} rows");
-            let read = npy::Header::read(&mut &bytes[..]).unwrap();
-            assert_eq!((read.descr.as_str(), read.dimensions()), (descr.as_str(), Some(vec![rows])));
-            assert_eq!(read.bytes, bytes.len() as u64);
-        }
-    }
-}
-
-#[test]
 fn rays_are_a_matrix() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("rays.npy");
@@ -240,39 +221,4 @@ fn a_full_device_is_an_error_and_stays_a_device() {
         assert!(matches!(writer.finish(), Err(Error::Io { .. })));
     }
     assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
-}
-
-/// The far end of a pipe.
-#[derive(Clone, Default)]
-struct Pipe(Arc<Mutex<Vec<u8>>>);
-
-impl Write for Pipe {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.0.lock().unwrap().write(bytes)
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
-}
-
-#[test]
-fn a_pipe_gets_the_same_bytes_whether_the_rows_were_announced_or_not() {
-    let layout = Layout { columns: vec![("count", Kind::U32)], matrix: false };
-    for format in [Format::Npy, Format::Csv] {
-        let written = [None, Some(2)].map(|total: Option<u64>| {
-            let pipe = Pipe::default();
-            let output = Output::stream(Box::new(pipe.clone()), format == Format::Npy && total.is_none()).unwrap();
-            let mut table = TableWriter::new(Path::new("-"), format, layout.clone(), total, output).unwrap();
-            table.write(&[1, 0, 0, 0, 2, 0, 0, 0]).unwrap();
-            table.finish().unwrap();
-            let bytes = pipe.0.lock().unwrap();
-            bytes.clone()
-        });
-        assert_eq!(written[0], written[1]);
-        match format {
-            Format::Npy => assert_eq!(npyz::NpyFile::new(&written[0][..]).unwrap().shape(), &[2]),
-            _ => assert_eq!(written[0], b"count\n1\n2\n"),
-        }
-    }
 }
