@@ -87,7 +87,11 @@ fn info(device: DeviceChoice) -> Result<DeviceInfo, Failure> {
 }
 
 fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &[AdapterReport]) -> String {
-    let mut text = format!("auto     {}\ncpu      {}; {}\n", auto.name, cpu.name, cpu.driver);
+    let mut text = format!("auto     {}", auto.name);
+    for note in &auto.notes {
+        let _ = write!(text, "; {note}");
+    }
+    let _ = writeln!(text, "\ncpu      {}; {}", cpu.name, cpu.driver);
     if adapters.is_empty() {
         text += "no Vulkan adapter was found: install a Vulkan driver (Mesa's llvmpipe runs on any CPU)\n";
     }

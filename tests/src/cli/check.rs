@@ -10,7 +10,7 @@ fn far_sphere() -> Folder {
     let row = |i: usize| {
         let angle = i as f32 * 0.1;
         let off = if i.is_multiple_of(2) { 0.98 } else { 1.02 };
-        [off * angle.cos(), off * angle.sin(), 30000.0, 0.0, 0.0, -1.0]
+        [off * angle.cos(), off * angle.sin(), 3000.0, 0.0, 0.0, -1.0]
     };
     folder.write("rays.npy", npy_rays(&(0..100).map(row).collect::<Vec<_>>()));
     folder

@@ -50,6 +50,14 @@ fn an_interrupted_run_cleans_up() {
         let stdin = child.stdin.take();
         let id = child.id().to_string();
         assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
+        let started = Instant::now();
+        while child.try_wait().unwrap().is_none() {
+            if started.elapsed() > PATIENCE {
+                child.kill().unwrap();
+                panic!("{signal} does not stop the run");
+            }
+            sleep(Duration::from_millis(10));
+        }
         let output = child.wait_with_output().unwrap();
         drop(stdin);
         super::Ran::of(signal, output).expect(130, &["interrupted"]);
