@@ -28,3 +28,22 @@ fn exponent_of(x: f32) -> i32 {
 fn largest(v: vec3<f32>) -> f32 {
     return max(max(abs(v.x), abs(v.y)), abs(v.z));
 }
+
+// The ends of a range scaled by 2^n, rounded inward where they become subnormal, so that what lies in the scaled range
+// lies in the given one.
+fn scale_low_end(x: f32, n: i32) -> f32 {
+    let y = scale_by_power(x, n);
+    return select(y, select(0.0, SMALLEST_NORMAL, x > 0.0), abs(y) < SMALLEST_NORMAL && x != 0.0);
+}
+
+fn scale_high_end(x: f32, n: i32) -> f32 {
+    let y = scale_by_power(x, n);
+    return select(y, select(0.0, -SMALLEST_NORMAL, x < 0.0), abs(y) < SMALLEST_NORMAL && x != 0.0);
+}
+
+const SMALLEST_NORMAL: f32 = 1.1754943508222875e-38; // 2^-126
+
+// 0 has one sign in answers.
+fn without_sign(x: f32) -> f32 {
+    return select(x, 0.0, x == 0.0);
+}

@@ -79,6 +79,6 @@ fn traverse(given: Ray) -> Hit {
         }
         current = words[top];
     }
-    hit.t = scale_by_power(hit.t, ray.out_exponent);
-    return hit;
+    let t = scale_by_power(hit.t, ray.out_exponent);
+    return Hit(without_sign(t), without_sign(hit.u), without_sign(hit.v), hit.primitive);
 }

@@ -16,5 +16,5 @@ fn tier_ray(ray: Ray, unit: UnitDirection) -> TierRay {
     let origin = vec3<f32>(
         scale_by_power(ray.origin.x, n), scale_by_power(ray.origin.y, n), scale_by_power(ray.origin.z, n));
     return TierRay(
-        origin, ray.direction, scale_by_power(ray.t_min, n), scale_by_power(ray.t_max, n), unit.exponent, -n);
+        origin, ray.direction, scale_low_end(ray.t_min, n), scale_high_end(ray.t_max, n), unit.exponent, -n);
 }

@@ -18,5 +18,5 @@ fn tier_ray(ray: Ray, unit: UnitDirection) -> TierRay {
     let n = unit.exponent + m;
     let origin = vec3<f32>(
         scale_by_power(ray.origin.x, m), scale_by_power(ray.origin.y, m), scale_by_power(ray.origin.z, m));
-    return TierRay(origin, unit.direction, scale_by_power(ray.t_min, n), scale_by_power(ray.t_max, n), 0, -n);
+    return TierRay(origin, unit.direction, scale_low_end(ray.t_min, n), scale_high_end(ray.t_max, n), 0, -n);
 }

@@ -89,7 +89,7 @@ impl Folder {
 
     fn command(&self, line: &str) -> Command {
         let mut command = Command::new(binary());
-        command.args(line.split_whitespace()).current_dir(self.0.path()).env_remove("RAYPROOF_DEVICE");
+        command.args(line.split_whitespace()).current_dir(self.0.path());
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }
@@ -170,8 +170,11 @@ ox,oy,oz,dx,dy,dz
 3,0,0,0.5,0,0
 ";
 
-/// t, u, v, geometry, primitive of each ray of [`RAYS`], by hand.
-const HITS: [(f32, f32, f32, u32, u32); 5] = [
+/// t, u, v, geometry, primitive.
+type Hit = (f32, f32, f32, u32, u32);
+
+/// The answers to [`RAYS`], by hand.
+const HITS: [Hit; 5] = [
     (1.0, 0.5, 0.25, 0, 0),
     (0.5, 0.25, 0.5, 0, 1),
     (2.0, 0.0, 0.0, 1, 1),
@@ -205,7 +208,7 @@ fn npy_data(file: &[u8]) -> &[u8] {
 }
 
 /// The rows of a CSV file of closest hits.
-fn csv_hits(file: &[u8]) -> Vec<(f32, f32, f32, u32, u32)> {
+fn csv_hits(file: &[u8]) -> Vec<Hit> {
     let text = std::str::from_utf8(file).unwrap();
     let mut lines = text.lines();
     assert_eq!(lines.next(), Some("t,u,v,geometry,primitive"));

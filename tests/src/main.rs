@@ -1,3 +1,7 @@
 //! Where the device, the CPU engine and the oracle meet. One binary; each module asks one question.
 
-mod smoke;
+mod cli;
+mod conformance;
+mod device;
+mod scenes;
+mod truth;

@@ -39,3 +39,23 @@ pub(crate) fn distinct(id: u32) -> Rgb {
 fn byte(x: f32) -> u8 {
     x as u8
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbouring_primitives_differ_and_stand_out_from_the_background() {
+        for id in 0..10_000 {
+            let [a, b] = [distinct(id), distinct(id + 1)];
+            let apart: u32 = a.iter().zip(b).map(|(x, y)| u32::from(x.abs_diff(y))).sum();
+            assert!(apart > 0 && a.iter().zip(BACKGROUND).all(|(&c, back)| c > back), "{id}: {a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn fractions_of_light_are_clamped() {
+        assert_eq!(from_unit(Vec3::new(-1.0, 0.5, 2.0)), [0, 128, 255]);
+        assert_eq!([viridis(-1.0), cividis(2.0)], [viridis(0.0), cividis(1.0)]);
+    }
+}

@@ -104,9 +104,7 @@ impl Picture<'_> {
         let mut first_hit = 0;
         let mut rays = Vec::new();
         self.trace(|_, pairs| {
-            if interrupt::requested() {
-                return Err(Failure::interrupted());
-            }
+            interrupt::check()?;
             if pairs.is_empty() {
                 return Ok(());
             }

@@ -19,8 +19,10 @@ pub(crate) enum Code {
     NoDevice = 4,
     /// The input is bad.
     BadInput = 5,
-    /// Stopped by Ctrl-C or a signal: 128 + SIGINT, as shells have it.
+    /// Stopped by Ctrl-C: 128 and the number of SIGINT.
     Interrupted = 130,
+    /// Stopped by `kill`: 128 and the number of SIGTERM.
+    Terminated = 143,
 }
 
 /// A command that did not get to its end.
@@ -33,10 +35,6 @@ pub(crate) struct Failure {
 impl Failure {
     pub(crate) fn new(code: Code, message: impl Into<String>) -> Self {
         Self { code, message: message.into() }
-    }
-
-    pub(crate) fn interrupted() -> Self {
-        Self::new(Code::Interrupted, "interrupted; nothing was written")
     }
 
     /// Says on stderr what happened and gives the exit code.

@@ -1,23 +1,39 @@
 //! Ctrl-C and `kill`: a run that is writing winds down and removes its temporary file; any other stops at once.
 
-use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
+
+use crate::exit::{Code, Failure};
 
 static WRITING: AtomicBool = AtomicBool::new(false);
-static REQUESTED: AtomicBool = AtomicBool::new(false);
+/// The first signal that came, 0 before.
+static SIGNAL: AtomicI32 = AtomicI32::new(0);
 
-/// Listens for SIGINT, SIGTERM and SIGHUP. Where that cannot be had, the system's own way stands: the process ends, and
-/// what stays behind is a temporary file, never the output.
+/// Listens for SIGINT and SIGTERM; SIGHUP stays as `nohup` may have set it. Where that cannot be had, the system's own
+/// way stands: the process ends, and what stays behind is a temporary file, never the output.
 pub(crate) fn install() {
-    let _ = ctrlc::set_handler(|| {
-        let again = REQUESTED.swap(true, Ordering::SeqCst);
-        if again || !WRITING.load(Ordering::SeqCst) {
-            process::exit(super::exit::Code::Interrupted as i32);
+    #[cfg(unix)]
+    {
+        use signal_hook::consts::{SIGINT, SIGTERM};
+        if let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGTERM]) {
+            std::thread::spawn(move || signals.forever().for_each(caught));
         }
-    });
+    }
 }
 
-/// While this lives there is something to clean up, and the loops look at [`requested`].
+#[cfg(unix)]
+fn caught(signal: i32) {
+    let again = SIGNAL.swap(signal, Ordering::SeqCst) != 0;
+    if again || !WRITING.load(Ordering::SeqCst) {
+        std::process::exit(code(signal) as i32);
+    }
+}
+
+/// 128 and the signal's number, as shells have it.
+const fn code(signal: i32) -> Code {
+    if signal == 15 { Code::Terminated } else { Code::Interrupted }
+}
+
+/// While this lives there is something to clean up, and the loops ask [`check`].
 pub(crate) struct Writing;
 
 impl Writing {
@@ -33,7 +49,10 @@ impl Drop for Writing {
     }
 }
 
-/// Whether someone asked the run to stop.
-pub(crate) fn requested() -> bool {
-    REQUESTED.load(Ordering::SeqCst)
+/// Fails when someone asked the run to stop.
+pub(crate) fn check() -> Result<(), Failure> {
+    match SIGNAL.load(Ordering::SeqCst) {
+        0 => Ok(()),
+        signal => Err(Failure::new(code(signal), "interrupted")),
+    }
 }

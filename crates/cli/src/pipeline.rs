@@ -96,9 +96,7 @@ fn trace_all<A: Copy>(
     let mut started = None;
     loop {
         let message = input.recv_timeout(Duration::from_millis(100));
-        if interrupt::requested() {
-            return Err(Failure::interrupted());
-        }
+        interrupt::check()?;
         let mut batch = match message {
             Ok(batch) => batch?,
             Err(RecvTimeoutError::Timeout) => continue,

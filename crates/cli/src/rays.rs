@@ -51,9 +51,7 @@ impl Sink {
     }
 
     pub(crate) fn write(&mut self, rays: &[Ray]) -> Result<(), Failure> {
-        if interrupt::requested() {
-            return Err(Failure::interrupted());
-        }
+        interrupt::check()?;
         self.writer.write(rays)?;
         self.progress.add(rays.len());
         self.rays += rays.len() as u64;

@@ -33,9 +33,8 @@ macro_rules! kernel {
 macro_rules! tier {
     ($engine:expr, $ray:expr, $stack:expr, $any:expr, $tier:ident) => {{
         let bvh = &$engine.bvh;
-        let triangles = |ray: &_, word, hit| {
-            intersect_triangles(&$engine.leaves, ray, word, hit, $tier::intersect_triangle)
-        };
+        let triangles =
+            |ray: &_, word, hit| intersect_triangles(&$engine.leaves, ray, word, hit, $tier::intersect_triangle);
         let spheres = |ray: &_, word, hit| {
             intersect_spheres(&bvh.spheres, &bvh.sphere_ids, ray, word, hit, $tier::intersect_sphere)
         };
@@ -65,10 +64,15 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) {
-        self.batch(rays, hits, #[inline(always)] |ray, stack| {
-            let hit = self.trace::<false>(ray, stack);
-            if hit.is_hit() { hit } else { Hit::MISS }
-        });
+        self.batch(
+            rays,
+            hits,
+            #[inline(always)]
+            |ray, stack| {
+                let hit = self.trace::<false>(ray, stack);
+                if hit.is_hit() { hit } else { Hit::MISS }
+            },
+        );
     }
 
     /// Whether each ray hits anything: 1 or 0.
@@ -76,7 +80,12 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) {
-        self.batch(rays, hits, #[inline(always)] |ray, stack| u8::from(self.trace::<true>(ray, stack).is_hit()));
+        self.batch(
+            rays,
+            hits,
+            #[inline(always)]
+            |ray, stack| u8::from(self.trace::<true>(ray, stack).is_hit()),
+        );
     }
 
     fn batch<A: Send>(&self, rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray, &mut Stack) -> A + Sync) {

@@ -30,3 +30,28 @@ pub(crate) const fn exponent_of(x: f32) -> i32 {
 pub(crate) fn largest(v: Vec3) -> f32 {
     v.x.abs().max(v.y.abs()).max(v.z.abs())
 }
+
+#[inline(always)]
+pub(crate) fn scale_low_end(x: f32, n: i32) -> f32 {
+    let y = scale_by_power(x, n);
+    match y.abs() < f32::MIN_POSITIVE && x != 0.0 {
+        true if x > 0.0 => f32::MIN_POSITIVE,
+        true => 0.0,
+        false => y,
+    }
+}
+
+#[inline(always)]
+pub(crate) fn scale_high_end(x: f32, n: i32) -> f32 {
+    let y = scale_by_power(x, n);
+    match y.abs() < f32::MIN_POSITIVE && x != 0.0 {
+        true if x < 0.0 => -f32::MIN_POSITIVE,
+        true => 0.0,
+        false => y,
+    }
+}
+
+#[inline(always)]
+pub(crate) fn without_sign(x: f32) -> f32 {
+    if x == 0.0 { 0.0 } else { x }
+}

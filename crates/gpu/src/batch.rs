@@ -17,7 +17,7 @@ const WORKGROUP: u32 = 64;
 /// Chunks in flight: one uploading, one at work, one coming back.
 const SLOTS: usize = 3;
 
-/// Rays of the first chunk, and of the largest: by default; a device's limits can lower both.
+/// Rays of the first chunk, and of the largest; a device's limits can lower both.
 const FIRST_CHUNK: usize = 1 << 16;
 const LARGEST_CHUNK: usize = 1 << 20;
 
@@ -38,14 +38,16 @@ struct Params {
 /// A kernel with its buffers.
 pub(crate) struct Stream {
     pipeline: wgpu::ComputePipeline,
+    layout: wgpu::BindGroupLayout,
     slots: Vec<Slot>,
     query: Query,
-    /// Limits and time both cut: what the buffers hold, and what takes about [`CHUNK_TIME`].
+    /// The most rays a chunk can have: the device's limits.
+    most: usize,
+    /// The rays that the slots have room for.
     capacity: usize,
+    /// The rays of the next chunk: what takes about [`CHUNK_TIME`].
     chunk: usize,
     widest: u32,
-    scene_exponent: i32,
-    scene_size: f32,
 }
 
 struct Slot {
@@ -67,44 +69,54 @@ struct Flight {
 
 impl Stream {
     pub(crate) fn new(gpu: &Gpu, scene: &OnDevice, kernel: Kernel) -> Result<Self, Error> {
-        use wgpu::BufferUsages as Usage;
         let layout = gpu.layout(u32::try_from(scene.buffers.len()).unwrap_or(u32::MAX));
         let pipeline = gpu.pipeline(&kernel.link(&scene.accessors), kernel.query.entry(), &layout, gpu.route())?;
         let widest = gpu.limits().max_compute_workgroups_per_dimension;
         let most = usize::try_from(gpu.max_binding() / size_of::<Ray>() as u64).unwrap_or(usize::MAX);
-        let capacity = LARGEST_CHUNK.min(most).max(1);
-        let (rays, hits) = ((capacity * size_of::<Ray>()) as u64, capacity as u64 * kernel.query.answer_size());
-        let slot = || {
-            let params = gpu.buffer("params", size_of::<Params>() as u64, Usage::UNIFORM | Usage::COPY_DST);
-            let rays = gpu.buffer("rays", rays, Usage::STORAGE | Usage::COPY_DST);
-            let readback = gpu.buffer("readback", hits, Usage::MAP_READ | Usage::COPY_DST);
-            let hits = gpu.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
-            let bindings = gpu.bind(&layout, [&params, &rays, &hits].into_iter().chain(&scene.buffers));
-            Slot { params, rays, hits, readback, bindings }
-        };
-        let slots = (0..SLOTS).map(|_| slot()).collect();
+        let most = LARGEST_CHUNK.min(most).max(1);
+        let (slots, query, chunk) = (Vec::new(), kernel.query, FIRST_CHUNK.min(most));
+        Ok(Self { pipeline, layout, slots, query, most, capacity: 0, chunk, widest })
+    }
+
+    /// Makes room for chunks of a batch of `rays`.
+    fn reserve(&mut self, gpu: &Gpu, scene: &OnDevice, rays: usize) -> Result<(), Error> {
+        use wgpu::BufferUsages as Usage;
+        let wanted = rays.checked_next_power_of_two().unwrap_or(self.most).min(self.most);
+        if wanted <= self.capacity {
+            return Ok(());
+        }
+        let (rays, hits) = ((wanted * size_of::<Ray>()) as u64, wanted as u64 * self.query.answer_size());
+        self.slots = (0..SLOTS)
+            .map(|_| {
+                let params = gpu.buffer("params", size_of::<Params>() as u64, Usage::UNIFORM | Usage::COPY_DST);
+                let rays = gpu.buffer("rays", rays, Usage::STORAGE | Usage::COPY_DST);
+                let readback = gpu.buffer("readback", hits, Usage::MAP_READ | Usage::COPY_DST);
+                let hits = gpu.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
+                let bindings = gpu.bind(&self.layout, [&params, &rays, &hits].into_iter().chain(&scene.buffers));
+                Slot { params, rays, hits, readback, bindings }
+            })
+            .collect();
         gpu.check()?;
-        Ok(Self {
-            pipeline,
-            slots,
-            query: kernel.query,
-            capacity,
-            chunk: FIRST_CHUNK.min(capacity),
-            widest,
-            scene_exponent: scene.scale_exponent,
-            scene_size: scene.size,
-        })
+        self.capacity = wanted;
+        Ok(())
     }
 
     /// Answers all rays; `take` is given each chunk's first ray and its answers' bytes, in order.
-    pub(crate) fn run(&mut self, gpu: &Gpu, rays: &[Ray], mut take: impl FnMut(usize, &[u8])) -> Result<(), Error> {
+    pub(crate) fn run(
+        &mut self,
+        gpu: &Gpu,
+        scene: &OnDevice,
+        rays: &[Ray],
+        mut take: impl FnMut(usize, &[u8]),
+    ) -> Result<(), Error> {
+        self.reserve(gpu, scene, rays.len())?;
         let mut flights = std::collections::VecDeque::with_capacity(SLOTS);
         let (mut at, mut slot) = (0, 0);
         let mut last_done = Instant::now();
         while at < rays.len() || !flights.is_empty() {
             if at < rays.len() && flights.len() < SLOTS {
-                let count = self.chunk.min(rays.len() - at);
-                flights.push_back(self.launch(gpu, slot, at, &rays[at..at + count])?);
+                let count = self.chunk.min(self.capacity).min(rays.len() - at);
+                flights.push_back(self.launch(gpu, scene, slot, at, &rays[at..at + count])?);
                 at += count;
                 slot = (slot + 1) % SLOTS;
                 continue;
@@ -117,13 +129,12 @@ impl Stream {
         Ok(())
     }
 
-    fn launch(&self, gpu: &Gpu, slot: usize, at: usize, rays: &[Ray]) -> Result<Flight, Error> {
+    fn launch(&self, gpu: &Gpu, scene: &OnDevice, slot: usize, at: usize, rays: &[Ray]) -> Result<Flight, Error> {
         let Slot { params, rays: buffer, hits, readback, bindings } = &self.slots[slot];
         let ray_count = u32::try_from(rays.len()).unwrap_or(u32::MAX);
         let groups = ray_count.div_ceil(WORKGROUP);
         let row = groups.min(self.widest);
-        let given =
-            Params { ray_count, row, scene_exponent: self.scene_exponent, scene_size: self.scene_size };
+        let given = Params { ray_count, row, scene_exponent: scene.scale_exponent, scene_size: scene.size };
         gpu.queue.write_buffer(params, 0, bytemuck::bytes_of(&given));
         gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(rays));
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -165,7 +176,55 @@ impl Stream {
         if took > 2 * CHUNK_TIME && count == chunk {
             self.chunk = (chunk / 2).max(WORKGROUP as usize);
         } else if took < CHUNK_TIME / 2 && count == chunk {
-            self.chunk = (chunk * 2).min(self.capacity);
+            self.chunk = (chunk * 2).min(self.most);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::mem::offset_of;
+
+    use rayproof_scene::bvh::Tier;
+
+    use super::*;
+    use crate::kernel::Contents;
+
+    /// Names and offsets of a struct's members in a kernel, and its size.
+    fn reflect(module: &naga::Module, name: &str) -> (Vec<(String, u32)>, u32) {
+        let (_, found) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name)).expect("is in the kernel");
+        let naga::TypeInner::Struct { members, span } = &found.inner else { panic!("{name} is no struct") };
+        (members.iter().map(|m| (m.name.clone().unwrap_or_default(), m.offset)).collect(), *span)
+    }
+
+    fn ours(members: &[(&str, usize)]) -> Vec<(String, u32)> {
+        members.iter().map(|&(name, at)| (name.to_owned(), u32::try_from(at).expect("small"))).collect()
+    }
+
+    #[test]
+    fn layouts_are_those_of_the_kernels() {
+        let lists = "const STACK_SIZE: u32 = 32u;
+            fn node_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }
+            fn triangle_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }";
+        let kernel = Kernel { tier: Tier::Fast, query: Query::Closest, contents: Contents::Triangles };
+        let (module, _) = kernel.link(lists).validate().expect("valid");
+        let params = ours(&[
+            ("ray_count", offset_of!(Params, ray_count)),
+            ("row", offset_of!(Params, row)),
+            ("scene_exponent", offset_of!(Params, scene_exponent)),
+            ("scene_size", offset_of!(Params, scene_size)),
+        ]);
+        assert_eq!(reflect(&module, "Params"), (params, 16));
+        assert_eq!(size_of::<Params>(), 16);
+        let ray = ours(&[
+            ("origin", offset_of!(Ray, origin)),
+            ("t_min", offset_of!(Ray, t_min)),
+            ("direction", offset_of!(Ray, direction)),
+            ("t_max", offset_of!(Ray, t_max)),
+        ]);
+        assert_eq!(reflect(&module, "Ray"), (ray, 32));
+        assert_eq!(size_of::<Ray>(), 32);
+        let entry = &module.entry_points[0];
+        assert_eq!((entry.name.as_str(), entry.workgroup_size), (kernel.query.entry(), [WORKGROUP, 1, 1]));
     }
 }

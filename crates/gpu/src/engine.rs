@@ -1,7 +1,7 @@
 //! A scene's tree on a device.
 
 use std::fmt::Write as _;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use rayproof_scene::bvh::{Bvh, Tier};
 use rayproof_scene::{Hit, Ray};
@@ -14,7 +14,7 @@ use crate::{Error, Route};
 
 /// A tree on a device, ready to answer.
 pub struct Engine {
-    gpu: Gpu,
+    gpu: Arc<Gpu>,
     scene: OnDevice,
     tier: Tier,
     /// Each query's kernel and buffers, made when first asked for; one batch at a time.
@@ -36,7 +36,7 @@ impl Engine {
     ///
     /// # Errors
     /// When the device cannot hold it.
-    pub fn new(gpu: Gpu, bvh: &Bvh, tier: Tier) -> Result<Self, Error> {
+    pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, tier: Tier) -> Result<Self, Error> {
         let scene = OnDevice::new(&gpu, bvh)?;
         gpu.check()?;
         Ok(Self { gpu, scene, tier, streams: Default::default() })
@@ -44,7 +44,7 @@ impl Engine {
 
     /// The device.
     #[must_use]
-    pub const fn gpu(&self) -> &Gpu {
+    pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
@@ -80,9 +80,8 @@ impl Engine {
     }
 
     fn run(&self, query: Query, rays: &[Ray], take: impl FnMut(usize, &[u8])) -> Result<(), Error> {
-        let mut slot = self.streams[query as usize]
-            .lock()
-            .map_err(|_| Error::Device("an earlier batch panicked".to_owned()))?;
+        let mut slot =
+            self.streams[query as usize].lock().map_err(|_| Error::Device("an earlier batch panicked".to_owned()))?;
         let stream = match &mut *slot {
             Some(stream) => stream,
             empty => {
@@ -90,12 +89,12 @@ impl Engine {
                 empty.insert(Stream::new(&self.gpu, &self.scene, kernel)?)
             }
         };
-        stream.run(&self.gpu, rays, take)
+        stream.run(&self.gpu, &self.scene, rays, take)
     }
 
     /// How kernels reach the driver.
     #[must_use]
-    pub const fn route(&self) -> Route {
+    pub fn route(&self) -> Route {
         self.gpu.route()
     }
 }
@@ -116,8 +115,10 @@ impl OnDevice {
             lists.push(("sphere_quad", "vec4<u32>", bytemuck::cast_slice(&bvh.spheres), 16));
             lists.push(("sphere_id", "u32", bytemuck::cast_slice(&bvh.sphere_ids), 4));
         }
-        // Three more than the tree needs: a push writes before it knows whether the entry stays; and the last entry.
-        let mut accessors = format!("const STACK_SIZE: u32 = {}u;\n", bvh.stack_depth + 4);
+        // Three more than the tree needs: a push writes before it knows whether the entry stays; and the last entry. In
+        // steps, so that scenes share kernels.
+        let stack = (bvh.stack_depth + 4).next_multiple_of(32);
+        let mut accessors = format!("const STACK_SIZE: u32 = {stack}u;\n");
         let mut buffers = Vec::new();
         for (name, element, bytes, stride) in lists {
             let pages = Pages::upload(gpu, name, bytes, stride);

@@ -10,7 +10,7 @@ use crate::kernel::shaders;
 use crate::link::Linked;
 
 /// How a kernel reaches the driver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Route {
     /// naga's SPIR-V with `NoContraction` and float controls, passed through wgpu.
     ExactSpirv,

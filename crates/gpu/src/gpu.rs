@@ -1,5 +1,6 @@
 //! Opening an adapter, and what every kernel on it needs.
 
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use crate::Error;
@@ -35,6 +36,8 @@ pub struct Gpu {
     fingerprint: Option<Fingerprint>,
     failure: Arc<Mutex<Option<String>>>,
     max_binding: u64,
+    /// Kernels by their text and route: scenes share them.
+    pipelines: Mutex<HashMap<(String, Route), wgpu::ComputePipeline>>,
 }
 
 pub(crate) fn instance() -> wgpu::Instance {
@@ -92,7 +95,18 @@ impl Gpu {
         let max_binding = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         let controls = float_controls::query(adapter);
         let info = adapter.get_info();
-        Ok(Self { device, queue, info, limits, controls, route, fingerprint: None, failure, max_binding })
+        Ok(Self {
+            device,
+            queue,
+            info,
+            limits,
+            controls,
+            route,
+            fingerprint: None,
+            failure,
+            max_binding,
+            pipelines: Mutex::default(),
+        })
     }
 
     /// The adapter's name.
@@ -149,7 +163,12 @@ impl Gpu {
     }
 
     pub(crate) fn buffer(&self, label: &str, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
-        self.device.create_buffer(&wgpu::BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false })
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size,
+            usage,
+            mapped_at_creation: false,
+        })
     }
 
     pub(crate) fn buffer_with(&self, label: &str, bytes: &[u8], usage: wgpu::BufferUsages) -> wgpu::Buffer {
@@ -157,8 +176,26 @@ impl Gpu {
         self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents: bytes, usage })
     }
 
-    /// Compiles one entry point. Buffers are bound in order: the first `uniform`, if so, `writable` ones by index.
+    /// Compiles one entry point, or finds it compiled.
     pub(crate) fn pipeline(
+        &self,
+        linked: &Linked,
+        entry: &str,
+        layout: &wgpu::BindGroupLayout,
+        route: Route,
+    ) -> Result<wgpu::ComputePipeline, Error> {
+        let broken = |_| Error::Device("compiling a kernel panicked earlier".to_owned());
+        let mut pipelines = self.pipelines.lock().map_err(broken)?;
+        let key = (linked.source().to_owned(), route);
+        if let Some(pipeline) = pipelines.get(&key) {
+            return Ok(pipeline.clone());
+        }
+        let pipeline = self.compile(linked, entry, layout, route)?;
+        pipelines.insert(key, pipeline.clone());
+        Ok(pipeline)
+    }
+
+    fn compile(
         &self,
         linked: &Linked,
         entry: &str,
@@ -190,10 +227,8 @@ impl Gpu {
     #[expect(unsafe_code, reason = "wgpu cannot check SPIR-V; naga has validated the module it was written from")]
     fn passthrough(&self, words: &[u32], entry: &str, module: &naga::Module) -> wgpu::ShaderModule {
         let size = module.entry_points.iter().find(|e| e.name == entry).map_or([1; 3], |e| e.workgroup_size);
-        let entry_points = [wgpu::PassthroughShaderEntryPoint {
-            name: entry.into(),
-            workgroup_size: (size[0], size[1], size[2]),
-        }];
+        let entry_points =
+            [wgpu::PassthroughShaderEntryPoint { name: entry.into(), workgroup_size: (size[0], size[1], size[2]) }];
         // SAFETY: the words are naga's translation of a validated module, decorated; indices into the scene come from
         // our own tree and ray indices are compared with the count.
         unsafe {
@@ -267,10 +302,9 @@ fn choose(infos: &[wgpu::AdapterInfo], selector: &Selector) -> Result<usize, Err
             (best(&[DiscreteGpu, IntegratedGpu, VirtualGpu, Other, Cpu]), "no Vulkan adapter was found".to_owned())
         }
         Selector::Index(index) => ((*index < infos.len()).then_some(*index), format!("there is no adapter {index}")),
-        Selector::Name(name) => (
-            infos.iter().position(|info| holds(&info.name, name)),
-            format!("no adapter's name holds \"{name}\""),
-        ),
+        Selector::Name(name) => {
+            (infos.iter().position(|info| holds(&info.name, name)), format!("no adapter's name holds \"{name}\""))
+        }
         Selector::Pci(bus) => (
             infos.iter().position(|info| info.device_pci_bus_id.eq_ignore_ascii_case(bus)),
             format!("no adapter is on PCI bus {bus}"),

@@ -184,11 +184,8 @@ mod tests {
 
     #[test]
     fn float_controls_stand_where_spirv_wants_them() {
-        let all = FloatControls {
-            round_to_nearest_even: true,
-            signed_zero_inf_nan_preserve: true,
-            denorm_preserve: true,
-        };
+        let all =
+            FloatControls { round_to_nearest_even: true, signed_zero_inf_nan_preserve: true, denorm_preserve: true };
         let after = decorate(&kernel(), all);
         let order: Vec<u32> = instructions(&after).map(|(_, op, _)| op).collect();
         let place = |op: u32| order.iter().position(|&o| o == op).expect("is there");

@@ -33,7 +33,7 @@ impl Intersector {
         let (engine, info) = match gpu {
             Some(gpu) => {
                 let info = describe(&gpu);
-                (Engine::Gpu(Box::new(rayproof_gpu::Engine::new(gpu, &bvh, tier)?)), info)
+                (Engine::Gpu(Box::new(rayproof_gpu::Engine::new(gpu.into(), &bvh, tier)?)), info)
             }
             None => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, tier))), cpu_info(note)),
         };

@@ -2,7 +2,7 @@
 
 use npyz::NpyFile;
 
-use super::{Folder, HITS, bytes, csv_hits, npy, npy_data, npy_rays};
+use super::{Folder, HITS, Hit, bytes, csv_hits, npy, npy_data, npy_rays};
 
 #[derive(npyz::Deserialize, Debug, PartialEq)]
 struct Row {
@@ -19,7 +19,7 @@ struct Flag {
 }
 
 /// The rows of an `.npy` file of hits, by another reader, and the file's dtype.
-fn npy_hits(file: &[u8]) -> (String, Vec<(f32, f32, f32, u32, u32)>) {
+fn npy_hits(file: &[u8]) -> (String, Vec<Hit>) {
     let file = NpyFile::new(file).unwrap();
     let dtype = file.header().dtype().descr();
     let rows = file.data::<Row>().unwrap().map(|row| row.unwrap());

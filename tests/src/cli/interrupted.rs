@@ -42,7 +42,7 @@ fn a_killed_run_leaves_no_hits_and_nothing_that_looks_whole() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_cleans_up() {
-    for signal in ["-INT", "-TERM"] {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
         let folder = Folder::with_scene();
         let before = folder.names();
         let mut child = waiting_run(&folder);
@@ -60,7 +60,7 @@ fn an_interrupted_run_cleans_up() {
         }
         let output = child.wait_with_output().unwrap();
         drop(stdin);
-        super::Ran::of(signal, output).expect(130, &["interrupted"]);
+        super::Ran::of(signal, output).expect(code, &["interrupted"]);
         assert_eq!(folder.names(), before, "{signal}");
     }
 }

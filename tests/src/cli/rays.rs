@@ -56,13 +56,13 @@ fn primary_rays_go_through_the_camera_of_the_scene_file() {
     folder.write("seen.toml", format!("{}{camera}", super::SCENE));
     folder.run("rays seen.toml -o rays.npy --size 2x2").expect(0, &[]);
     // The pixel centres are at -1/2 and 1/2 on the plane at distance 1; from the top left, row by row.
-    let side = (1.0 / 6.0_f64).sqrt() as f32;
-    let forward = -(2.0 / 3.0_f64).sqrt() as f32;
+    let side = (1.0 / 6.0_f32).sqrt();
+    let forward = -(2.0 / 3.0_f32).sqrt();
     let want = [(-side, side), (side, side), (-side, -side), (side, -side)];
     for (row, (x, y)) in rows(&folder.read("rays.npy")).into_iter().zip(want) {
         assert_eq!(row[..3], [0.0, 0.0, 10.0]);
         for (got, want) in row[3..].iter().zip([x, y, forward]) {
-            assert!((got - want).abs() < 1e-7, "{row:?}");
+            assert!((got - want).abs() < f32::EPSILON, "{row:?}");
         }
     }
 }

@@ -4,7 +4,7 @@ use rayproof_scene::{Hit, MISS, Ray};
 
 use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, WideNode, box_ray, child_keys, unit_direction};
 use crate::batch::{Params, TierRay};
-use crate::math::scale_by_power;
+use crate::math::{scale_by_power, without_sign};
 
 const LEAF: u32 = 1 << 31;
 const DONE: u32 = u32::MAX;
@@ -50,8 +50,8 @@ pub(crate) fn traverse<const ANY_HIT: bool>(
         s_max = scale_by_power(hit.t, ray.box_exponent).min(FARTHEST);
         current = pop(stack, &mut top, s_max);
     }
-    hit.t = scale_by_power(hit.t, ray.out_exponent);
-    hit
+    let t = scale_by_power(hit.t, ray.out_exponent);
+    Hit { t: without_sign(t), u: without_sign(hit.u), v: without_sign(hit.v), primitive: hit.primitive }
 }
 
 /// The nearest child that is met, the others kept; where none is, the next entry kept.

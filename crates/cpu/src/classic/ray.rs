@@ -5,7 +5,7 @@ use rayproof_scene::Ray;
 
 use crate::batch::{Params, TierRay};
 use crate::bvh::slab::UnitDirection;
-use crate::math::scale_by_power;
+use crate::math::{scale_by_power, scale_high_end, scale_low_end};
 
 #[inline(always)]
 pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> TierRay {
@@ -14,8 +14,8 @@ pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> Tier
     TierRay {
         origin,
         direction: ray.direction,
-        t_min: scale_by_power(ray.t_min, n),
-        t_max: scale_by_power(ray.t_max, n),
+        t_min: scale_low_end(ray.t_min, n),
+        t_max: scale_high_end(ray.t_max, n),
         box_exponent: unit.exponent,
         out_exponent: -n,
     }

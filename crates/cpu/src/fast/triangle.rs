@@ -18,8 +18,7 @@ pub(crate) fn intersect_triangle(ray: &TierRay, &Triangles4 { a, b, c, .. }: &Tr
     let scale = sign * determinant;
     let u = sign * dot3(r, e2);
     let v = sign * dot3(r, e1);
-    let inside =
-        u.cmpge(Vec4::ZERO) & v.cmpge(Vec4::ZERO) & (u + v).cmple(scale) & scale.cmpgt(Vec4::ZERO);
+    let inside = u.cmpge(Vec4::ZERO) & v.cmpge(Vec4::ZERO) & (u + v).cmple(scale) & scale.cmpgt(Vec4::ZERO);
     if !inside.any() {
         return NO_HITS;
     }

@@ -66,7 +66,8 @@ fn obvhs_bvh2(scene: &Scene) -> anyhow::Result<Contestant> {
             .par_iter()
             .with_min_len(4096)
             .map(|ray| {
-                let peer = obvhs::ray::Ray::new(Vec3A::from(ray.origin), Vec3A::from(ray.direction), ray.t_min, ray.t_max);
+                let peer =
+                    obvhs::ray::Ray::new(Vec3A::from(ray.origin), Vec3A::from(ray.direction), ray.t_min, ray.t_max);
                 let mut hit = RayHit::none();
                 bvh.ray_traverse(peer, &mut hit, |ray, i| ordered[i].intersect(ray));
                 (hit.t, hit.primitive_id)

@@ -19,7 +19,10 @@ const ROUNDS: usize = 7;
 fn main() -> anyhow::Result<()> {
     let filters: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
     let keep = |text: &str| filters.iter().all(|f| text.contains(f.as_str()));
-    println!("{:<8} {:<11} {:<26} {:>9} {:>9} {:>9}  {:>6}", "scene", "rays", "engine", "M rays/s", "p5", "p95", "ratio");
+    println!(
+        "{:<8} {:<11} {:<26} {:>9} {:>9} {:>9}  {:>6}",
+        "scene", "rays", "engine", "M rays/s", "p5", "p95", "ratio"
+    );
     for (name, scene) in scenes::all()? {
         let mut contestants: Vec<Contestant> = Vec::new();
         for make in engines::ALL {
@@ -46,12 +49,7 @@ fn main() -> anyhow::Result<()> {
     Ok(())
 }
 
-fn measure(
-    scene: &str,
-    kind: &str,
-    rays: &[rayproof::scene::Ray],
-    chosen: &[&Contestant],
-) -> anyhow::Result<()> {
+fn measure(scene: &str, kind: &str, rays: &[rayproof::scene::Ray], chosen: &[&Contestant]) -> anyhow::Result<()> {
     let mut rates = vec![Vec::new(); chosen.len()];
     for round in 0..=ROUNDS {
         for (contestant, rates) in chosen.iter().zip(&mut rates) {

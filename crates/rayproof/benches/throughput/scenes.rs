@@ -27,11 +27,10 @@ fn made(triangles: usize) -> Scene {
     let mut mesh = Mesh::default();
     for i in 0..=rows {
         for j in 0..columns {
-            let (theta, phi) = (
-                std::f32::consts::PI * i as f32 / rows as f32,
-                std::f32::consts::TAU * j as f32 / columns as f32,
-            );
-            let r = 1.0 + 0.1 * (5.0 * theta).sin() * (7.0 * phi).cos() + 0.01 * (61.0 * theta).sin() * (83.0 * phi).cos();
+            let (theta, phi) =
+                (std::f32::consts::PI * i as f32 / rows as f32, std::f32::consts::TAU * j as f32 / columns as f32);
+            let r =
+                1.0 + 0.1 * (5.0 * theta).sin() * (7.0 * phi).cos() + 0.01 * (61.0 * theta).sin() * (83.0 * phi).cos();
             mesh.vertices.push(Vec3::new(theta.sin() * phi.cos(), theta.cos(), theta.sin() * phi.sin()) * r);
         }
     }

@@ -43,7 +43,8 @@ pub enum Scaling {
     /// As they are, for the formulas by the book; but down to `2^100`, beyond which boxes could not be decoded.
     None,
     /// By a power of two that brings the largest coordinate between `2^-20` and `2^20`, so that products of three
-    /// lengths neither overflow nor underflow; less where a small coordinate would lose bits. Always exact.
+    /// lengths neither overflow nor underflow; less where a small coordinate would lose bits or a small primitive its
+    /// square. Exact up to coordinates of `2^100`.
     PowerOfTwo,
 }
 

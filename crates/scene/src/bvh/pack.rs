@@ -113,34 +113,65 @@ const NEAR: [i32; 2] = [-20, 20];
 /// Beyond 2^100 boxes cannot be decoded and products of two lengths overflow, whatever the formula.
 const FAR: [i32; 2] = [-149, 100];
 
-/// The power of two that brings the scene's largest coordinate within `range`, or as near to it as no coordinate loses
-/// a bit; but always to 2^100.
-fn scale_exponent(scene: &Scene, range: [i32; 2]) -> i32 {
-    let mut largest = 0.0_f64;
-    let mut smallest = f64::INFINITY;
-    let mut see = |x: f32| {
-        let x = f64::from(x).abs();
-        largest = largest.max(x);
-        if x > 0.0 {
-            smallest = smallest.min(x);
+/// The magnitudes that decide how a scene is scaled.
+struct Magnitudes {
+    /// The largest coordinate or radius.
+    largest: f64,
+    /// The smallest coordinate or radius but zero.
+    smallest: f64,
+    /// The extent of the smallest primitive that has one.
+    finest: f64,
+}
+
+impl Magnitudes {
+    fn of(scene: &Scene) -> Self {
+        let mut all = Self { largest: 0.0, smallest: f64::INFINITY, finest: f64::INFINITY };
+        for geometry in scene.geometries() {
+            match geometry {
+                Geometry::Mesh(mesh) => {
+                    mesh.vertices.iter().for_each(|v| all.see(*v));
+                    for i in 0..mesh.triangles.len() {
+                        let t = mesh.triangle(i);
+                        all.see_extent(largest((t.b.as_dvec3() - t.a.as_dvec3()).as_vec3()));
+                    }
+                }
+                Geometry::Spheres(spheres) => spheres.iter().for_each(|s| {
+                    all.see(s.center);
+                    all.see(Vec3::splat(s.radius));
+                    all.see_extent(s.radius);
+                }),
+            }
         }
-    };
-    for geometry in scene.geometries() {
-        match geometry {
-            Geometry::Mesh(mesh) => mesh.vertices.iter().for_each(|v| v.to_array().into_iter().for_each(&mut see)),
-            Geometry::Spheres(spheres) => spheres.iter().for_each(|s| {
-                s.center.to_array().into_iter().for_each(&mut see);
-                see(s.radius);
-            }),
+        all
+    }
+
+    fn see(&mut self, v: Vec3) {
+        for x in v.to_array().map(|x| f64::from(x).abs()) {
+            self.largest = self.largest.max(x);
+            if x > 0.0 {
+                self.smallest = self.smallest.min(x);
+            }
         }
     }
+
+    fn see_extent(&mut self, extent: f32) {
+        if extent > 0.0 {
+            self.finest = self.finest.min(f64::from(extent));
+        }
+    }
+}
+
+/// The power of two that brings the scene's largest coordinate within `range`, or as near to it as no coordinate loses a
+/// bit and the square of no extent underflows; but always to 2^100.
+fn scale_exponent(scene: &Scene, range: [i32; 2]) -> i32 {
+    let Magnitudes { largest, smallest, finest } = Magnitudes::of(scene);
     if largest == 0.0 {
         return 0;
     }
     let exponent = exponent_of(largest);
     if exponent > range[1] {
-        // Scaling down is exact while the smallest stays at or above 2^-126.
-        let room = (exponent_of(smallest) + 126).max(0);
+        // Exact while the smallest coordinate stays at or above 2^-126; squares are normal from 2^-60 on.
+        let room = (exponent_of(smallest) + 126).min(exponent_of(finest).saturating_add(60)).max(0);
         -(exponent - range[1]).min(room).max(exponent - FAR[1])
     } else {
         (range[0] - exponent).max(0)
@@ -194,5 +225,15 @@ mod tests {
         assert_eq!(scale_exponent(&scene_of(&[2.0_f32.powi(100), 1e-45]), NEAR), 0);
         assert_eq!(scale_exponent(&scene_of(&[f32::MAX, 1e-45]), NEAR), -27, "boxes must be decodable");
         assert_eq!(scale_exponent(&scene_of(&[1e30, 1e-30]), FAR), 0);
+    }
+
+    #[test]
+    fn small_primitives_keep_their_squares() {
+        let ball = |x: f32, radius: f32| Sphere { center: Vec3::new(x, 0.0, 0.0), radius };
+        let scene = |spheres: Vec<Sphere>| Scene::new(vec![Geometry::Spheres(spheres)]);
+        // 2^100 wants 2^-80; a ball of 2^-10 has room for 50.
+        let large = ball(2.0_f32.powi(100), 2.0_f32.powi(90));
+        assert_eq!(scale_exponent(&scene(vec![large]), NEAR), -80);
+        assert_eq!(scale_exponent(&scene(vec![large, ball(0.0, 2.0_f32.powi(-10))]), NEAR), -50);
     }
 }

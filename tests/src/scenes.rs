@@ -1,0 +1,63 @@
+//! Ordinary scenes, of any size.
+
+use glam::Vec3;
+use rayproof::scene::{Geometry, Mesh, Primitive, Ray, Scene, Sphere};
+
+/// Numbers in 0..1 from a 64-bit congruence.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f32 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 40) as f32 / 16_777_216.0
+    }
+
+    fn point(&mut self) -> Vec3 {
+        Vec3::new(self.next(), self.next(), self.next())
+    }
+}
+
+/// Triangles in two meshes and spheres between them, in a box of side 10; the first sphere is a ground of radius 1e4.
+pub(crate) fn mixed(triangles: usize, spheres: usize) -> Scene {
+    let mut n = Numbers(5);
+    let mut meshes = [Mesh::default(), Mesh::default()];
+    for i in 0..triangles {
+        let mesh = &mut meshes[i % 2];
+        let at = n.point() * 10.0;
+        let base = u32::try_from(mesh.vertices.len()).expect("few");
+        mesh.vertices.extend([at, at + n.point() - 0.5, at + n.point() - 0.5]);
+        mesh.triangles.push([base, base + 1, base + 2]);
+    }
+    let mut balls: Vec<Sphere> =
+        (0..spheres).map(|_| Sphere { center: n.point() * 10.0, radius: 0.02 + 0.2 * n.next() }).collect();
+    if let (Some(ball), true) = (balls.first_mut(), spheres > 10) {
+        *ball = Sphere { center: Vec3::new(5.0, -1e4, 5.0), radius: 1e4 };
+    }
+    let [first, second] = meshes;
+    Scene::new(vec![Geometry::Mesh(first), Geometry::Spheres(balls), Geometry::Mesh(second)])
+}
+
+/// Rays from in and around the scene at its primitives and past them, with ranges of every kind.
+pub(crate) fn rays_at(scene: &Scene, count: usize) -> Vec<Ray> {
+    let mut n = Numbers(17);
+    (0..count)
+        .map(|i| {
+            let from = n.point() * 30.0 - 10.0;
+            let to = match (scene.len(), i % 4) {
+                (0, _) | (_, 0) => n.point() * 10.0,
+                (primitives, _) => match scene.primitive(i % primitives) {
+                    Primitive::Triangle(t) => t.point(0.4 * n.next(), 0.4 * n.next()),
+                    Primitive::Sphere(s) => s.center + s.radius.min(1.0) * (n.point() - 0.5),
+                },
+            };
+            let mut ray = Ray::new(from, (to - from) * [1.0, 1e-3, 1e4][i % 3]);
+            match i % 7 {
+                0 => ray.t_max = 1.5 / [1.0, 1e-3, 1e4][i % 3],
+                1 => ray.t_min = f32::NEG_INFINITY,
+                2 => (ray.t_min, ray.t_max) = (-2.0, 0.25),
+                _ => {}
+            }
+            ray
+        })
+        .collect()
+}

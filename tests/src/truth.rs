@@ -1,0 +1,79 @@
+//! The tier `fast` against exact arithmetic, family by family: nothing beyond what the tier promises.
+
+use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::scene::{Hit, Ray};
+use rayproof_cpu::Engine;
+use rayproof_oracle::Oracle;
+use rayproof_oracle::families::{self, Case};
+use rayproof_oracle::judge::{Verdict, judge_any, judge_closest};
+
+const SEED: u64 = 7;
+const RAYS_PER_FAMILY: usize = 2_000;
+
+/// What the judge said of a family.
+#[derive(Default)]
+struct Tally {
+    exact: usize,
+    within: usize,
+    /// The worst error of t in ULP, and the largest share of the promise that any error took.
+    ulp: u64,
+    share: f64,
+    wrong: Vec<String>,
+}
+
+impl Tally {
+    fn see(&mut self, verdict: &Verdict) {
+        match verdict {
+            Verdict::Exact(errors) => {
+                self.exact += 1;
+                self.ulp = self.ulp.max(errors.t);
+                self.share = self.share.max(errors.of_promise);
+            }
+            Verdict::WithinPromise(_) => self.within += 1,
+            Verdict::Disagrees(..) => self.wrong.push(verdict.to_string()),
+        }
+    }
+}
+
+fn judge(case: &Case, tally: &mut Tally) {
+    let oracle = Oracle::new(&case.scene);
+    let bvh = Bvh::new(&case.scene, Tier::Fast.scaling()).expect("small");
+    let engine = Engine::new(bvh, Tier::Fast);
+    let mut hits = vec![Hit::MISS; case.rays.len()];
+    let mut any = vec![2; case.rays.len()];
+    engine.closest(&case.rays, &mut hits);
+    engine.any(&case.rays, &mut any);
+    let verdicts = oracle_batch(&oracle, &case.rays, &hits, &any);
+    for verdict in &verdicts {
+        tally.see(verdict);
+    }
+}
+
+fn oracle_batch(oracle: &Oracle, rays: &[Ray], hits: &[Hit], any: &[u8]) -> Vec<Verdict> {
+    let asked = rays.iter().zip(hits).zip(any);
+    asked.flat_map(|((ray, hit), any)| [judge_closest(oracle, ray, hit), judge_any(oracle, ray, *any)]).collect()
+}
+
+#[test]
+fn fast_keeps_its_promise_over_all_families() {
+    println!("seed {SEED}");
+    let mut broken = Vec::new();
+    for family in families::all() {
+        let mut tally = Tally::default();
+        for case in family.cases(SEED, RAYS_PER_FAMILY) {
+            judge(&case, &mut tally);
+        }
+        println!(
+            "family {:>2} {:<26} {:>6} as exact, {:>5} within the promise, {} beyond; t up to {} ULP, {:.3} of the promise",
+            family.number,
+            family.name,
+            tally.exact,
+            tally.within,
+            tally.wrong.len(),
+            tally.ulp,
+            tally.share
+        );
+        broken.extend(tally.wrong.into_iter().take(1).map(|case| format!("family {}:\n{case}", family.number)));
+    }
+    assert!(broken.is_empty(), "{} families beyond the promise\n{}", broken.len(), broken.join("\n"));
+}
