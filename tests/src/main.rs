@@ -3,5 +3,7 @@
 mod cli;
 mod conformance;
 mod device;
+mod house;
+mod sample;
 mod scenes;
 mod truth;

@@ -10,6 +10,8 @@ use rayon::prelude::*;
 use rayproof::scene::{Geometry, Hit, Ray, Scene};
 use rayproof::{DeviceChoice, Intersector, Options, Precision};
 
+type Trace = Box<dyn Fn(&[Ray]) -> anyhow::Result<()>>;
+
 /// An engine with a scene in it.
 pub(crate) struct Contestant {
     pub(crate) name: &'static str,
@@ -17,15 +19,16 @@ pub(crate) struct Contestant {
     pub(crate) seconds: f64,
     /// Whom it is to beat.
     pub(crate) peer: Option<&'static str>,
-    pub(crate) trace: Box<dyn Fn(&[Ray]) -> anyhow::Result<()>>,
+    pub(crate) trace: Trace,
 }
 
 type Make = fn(&Scene) -> anyhow::Result<Contestant>;
 
-pub(crate) const ALL: [(&str, Make); 5] = [
+pub(crate) const ALL: [(&str, Make); 6] = [
     ("obvhs Bvh2", obvhs_bvh2),
     ("cpu fast", |scene| ours(scene, "cpu fast", DeviceChoice::Cpu, Precision::Fast, Some("obvhs Bvh2"))),
     ("cpu classic", |scene| ours(scene, "cpu classic", DeviceChoice::Cpu, Precision::Classic, Some("cpu fast"))),
+    (crate::plain::NAME, crate::plain::kernel),
     ("gpu fast", |scene| ours(scene, "gpu fast", DeviceChoice::Gpu, Precision::Fast, Some("plain kernel on gpu"))),
     ("gpu classic", |scene| ours(scene, "gpu classic", DeviceChoice::Gpu, Precision::Classic, Some("gpu fast"))),
 ];

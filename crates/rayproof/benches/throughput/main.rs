@@ -7,6 +7,7 @@
 #![expect(clippy::print_stdout, reason = "a program that prints a table")]
 
 mod engines;
+mod plain;
 mod rays;
 mod scenes;
 
@@ -18,6 +19,7 @@ const ROUNDS: usize = 7;
 
 fn main() -> anyhow::Result<()> {
     let filters: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
+    // A row's peer runs too, for the ratio.
     let keep = |text: &str| filters.iter().all(|f| text.contains(f.as_str()));
     println!(
         "{:<8} {:<11} {:<26} {:>9} {:>9} {:>9}  {:>6}",
@@ -64,7 +66,9 @@ fn measure(scene: &str, kind: &str, rays: &[rayproof::scene::Ray], chosen: &[&Co
     let median = |rates: &[f64], share: f64| {
         let mut sorted = rates.to_vec();
         sorted.sort_by(f64::total_cmp);
-        sorted[((sorted.len() - 1) as f64 * share).round() as usize]
+        let count = sorted.len();
+        let below = sorted.iter().enumerate().take_while(|(i, _)| *i as f64 <= (count - 1) as f64 * share + 0.5).count();
+        sorted[below - 1]
     };
     for (contestant, own) in chosen.iter().zip(&rates) {
         let peer = chosen.iter().position(|c| Some(c.name) == contestant.peer);
