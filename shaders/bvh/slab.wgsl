@@ -33,9 +33,12 @@ struct Node {
 }
 
 struct BoxRay {
-    // What low planes, and high planes, are measured from: the origin, widened on axes that hardly move.
-    from_low: vec3<f32>,
-    from_high: vec3<f32>,
+    // What the planes met first on each axis, and those met last, are measured from: the origin, widened on axes that hardly
+    // move.
+    from_near: vec3<f32>,
+    from_far: vec3<f32>,
+    // On which axes the high plane is met first.
+    back: vec3<bool>,
     inverse: vec3<f32>,
     s_min: f32,
     slack: f32,
@@ -66,9 +69,13 @@ fn box_ray(origin: vec3<f32>, direction: vec3<f32>, s_min: f32) -> BoxRay {
     let moved = select(direction, vec3<f32>(SMALLEST_DIRECTION), still);
     // At least 2^-50 S, and at least 2^-22 |o_i| so that the sum is another number than o_i.
     let wide = max(vec3<f32>(reach * 8.881784197001252e-16), abs(o) * 2.384185791015625e-7);
+    let from_low = select(o, o + wide, still);
+    let from_high = select(o, o - wide, still);
+    let back = moved < vec3<f32>(0.0);
     return BoxRay(
-        select(o, o + wide, still),
-        select(o, o - wide, still),
+        select(from_low, from_high, back),
+        select(from_high, from_low, back),
+        back,
         vec3<f32>(1.0) / moved,
         s_min,
         params.scene_size * 9.094947017729282e-13, // 2^-40
@@ -83,17 +90,23 @@ fn planes(word: u32, step: f32, origin: f32) -> vec4<f32> {
 
 // For each child, a key to sort and to cull by: where the ray enters its box, at most, with the child's slot in the two
 // lowest bits, which makes keys of one node differ; NOT_HIT where the box is not met between s_min and s_max.
+//
+// The direction's sign tells which plane of an axis is met first: low <= high, and rounding keeps order. Along the axis of
+// max|d_i| nothing overflows, so `enter` is never -inf and `leave` never inf; elsewhere an infinity is a miss.
 fn child_keys(ray: BoxRay, node: Node, s_max: f32) -> vec4<f32> {
-    let ax = (planes(node.low.x, node.step.x, node.origin.x) - ray.from_low.x) * ray.inverse.x;
-    let bx = (planes(node.high.x, node.step.x, node.origin.x) - ray.from_high.x) * ray.inverse.x;
-    let ay = (planes(node.low.y, node.step.y, node.origin.y) - ray.from_low.y) * ray.inverse.y;
-    let by = (planes(node.high.y, node.step.y, node.origin.y) - ray.from_high.y) * ray.inverse.y;
-    let az = (planes(node.low.z, node.step.z, node.origin.z) - ray.from_low.z) * ray.inverse.z;
-    let bz = (planes(node.high.z, node.step.z, node.origin.z) - ray.from_high.z) * ray.inverse.z;
-    let enter = max(max(min(ax, bx), min(ay, by)), min(az, bz));
-    let leave = min(min(max(ax, bx), max(ay, by)), max(az, bz));
-    let near = max(min(enter * NARROW, enter * WIDEN) - ray.slack, vec4<f32>(-FARTHEST));
-    let far = max(leave * NARROW, leave * WIDEN) + ray.slack;
+    let first = select(node.low, node.high, ray.back);
+    let last = select(node.high, node.low, ray.back);
+    let enter_x = (planes(first.x, node.step.x, node.origin.x) - ray.from_near.x) * ray.inverse.x;
+    let enter_y = (planes(first.y, node.step.y, node.origin.y) - ray.from_near.y) * ray.inverse.y;
+    let enter_z = (planes(first.z, node.step.z, node.origin.z) - ray.from_near.z) * ray.inverse.z;
+    let leave_x = (planes(last.x, node.step.x, node.origin.x) - ray.from_far.x) * ray.inverse.x;
+    let leave_y = (planes(last.y, node.step.y, node.origin.y) - ray.from_far.y) * ray.inverse.y;
+    let leave_z = (planes(last.z, node.step.z, node.origin.z) - ray.from_far.z) * ray.inverse.z;
+    let enter = max(max(enter_x, enter_y), enter_z);
+    let leave = min(min(leave_x, leave_y), leave_z);
+    // Earlier and later by the pad: the factor that widens depends on the sign.
+    let near = enter * select(vec4<f32>(WIDEN), vec4<f32>(NARROW), enter > vec4<f32>(0.0)) - ray.slack;
+    let far = leave * select(vec4<f32>(NARROW), vec4<f32>(WIDEN), leave > vec4<f32>(0.0)) + ray.slack;
     let met = (near <= far) & (near <= vec4<f32>(s_max)) & (far >= vec4<f32>(ray.s_min));
     let there = node.children != vec4<u32>(MISS);
     let key = bitcast<vec4<f32>>((bitcast<vec4<u32>>(near) & vec4<u32>(0xfffffffcu)) | vec4<u32>(0u, 1u, 2u, 3u));

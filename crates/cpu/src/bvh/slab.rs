@@ -41,7 +41,7 @@ pub(crate) struct BoxRay {
     /// What the planes that the ray meets first on each axis are measured from, and those it meets last.
     from_near: Vec3,
     from_far: Vec3,
-    /// Which of [`WideNode::planes`] are met first; the other of a pair is met last.
+    /// Which of [`WideNode::planes`] are met first; the other of a pair is met last. The kernel's `back`.
     near: [usize; 3],
     inverse: Vec3,
     s_min: f32,
@@ -89,13 +89,12 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32
 
 #[inline(always)]
 pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Keys {
-    // The kernel takes the smaller and the larger of the two planes' distances; the direction's sign tells which is which,
-    // since low <= high, from_low >= from_high, and rounding keeps order.
     let enter = |axis: usize| (node.planes[ray.near[axis]] - ray.from_near[axis]) * ray.inverse[axis];
     let leave = |axis: usize| (node.planes[ray.near[axis] ^ 1] - ray.from_far[axis]) * ray.inverse[axis];
     let (enter, leave) = (enter(0).max(enter(1)).max(enter(2)), leave(0).min(leave(1)).min(leave(2)));
-    let near = ((enter * NARROW).min(enter * WIDEN) - ray.slack).max(Vec4::splat(-FARTHEST));
-    let far = (leave * NARROW).max(leave * WIDEN) + ray.slack;
+    let (narrow, widen) = (Vec4::splat(NARROW), Vec4::splat(WIDEN));
+    let near = enter * Vec4::select(enter.cmpgt(Vec4::ZERO), narrow, widen) - ray.slack;
+    let far = leave * Vec4::select(leave.cmpgt(Vec4::ZERO), widen, narrow) + ray.slack;
     let met = near.cmple(far) & near.cmple(Vec4::splat(s_max)) & far.cmpge(Vec4::splat(ray.s_min));
     let mut slot = 0;
     let keys = near.to_array().map(|x| {

@@ -67,7 +67,8 @@ fn measure(scene: &str, kind: &str, rays: &[rayproof::scene::Ray], chosen: &[&Co
         let mut sorted = rates.to_vec();
         sorted.sort_by(f64::total_cmp);
         let count = sorted.len();
-        let below = sorted.iter().enumerate().take_while(|(i, _)| *i as f64 <= (count - 1) as f64 * share + 0.5).count();
+        let below =
+            sorted.iter().enumerate().take_while(|(i, _)| *i as f64 <= (count - 1) as f64 * share + 0.5).count();
         sorted[below - 1]
     };
     for (contestant, own) in chosen.iter().zip(&rates) {

@@ -41,15 +41,13 @@ pub(crate) fn kernel(scene: &Scene) -> anyhow::Result<Contestant> {
     descriptor.flags = wgpu::InstanceFlags::empty();
     let adapters = pollster::block_on(wgpu::Instance::new(descriptor).enumerate_adapters(wgpu::Backends::VULKAN));
     let adapter = adapters.first().ok_or_else(|| anyhow::anyhow!("no Vulkan adapter"))?;
-    let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor {
-        required_limits: adapter.limits(),
-        ..Default::default()
-    }))?;
+    let (device, queue) = pollster::block_on(
+        adapter.request_device(&wgpu::DeviceDescriptor { required_limits: adapter.limits(), ..Default::default() }),
+    )?;
     let source = wgpu::ShaderSource::Wgsl(include_str!("plain.wgsl").into());
     let descriptor = wgpu::ShaderModuleDescriptor { label: None, source };
     // SAFETY: every index in the kernel comes from the tree made above or is compared with the batch's length.
-    let module =
-        unsafe { device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) };
+    let module = unsafe { device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) };
     let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: None,
         layout: None,
@@ -59,7 +57,11 @@ pub(crate) fn kernel(scene: &Scene) -> anyhow::Result<Contestant> {
         cache: None,
     });
     let filled = |bytes: &[u8]| {
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents: bytes, usage: Usage::STORAGE })
+        device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: None,
+            contents: bytes,
+            usage: Usage::STORAGE,
+        })
     };
     let (nodes, vertices) = (filled(bytemuck::cast_slice(&nodes)), filled(bytemuck::cast_slice(&vertices)));
     let seconds = start.elapsed().as_secs_f64();
