@@ -12,8 +12,8 @@ pub(crate) const FARTHEST: f32 = power_of_two(127);
 const NARROW: f32 = 1.0 - 16.0 * power_of_two(-23);
 const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
 
-/// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit. The planes
-/// of an empty slot are infinite, which no ray meets.
+/// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit. An empty
+/// slot's box is inside out: entered at infinity, left at minus infinity.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct WideNode {
@@ -25,7 +25,7 @@ pub(crate) struct WideNode {
 impl WideNode {
     pub(crate) fn new(node: &Node) -> Self {
         let boxes = [0, 1, 2, 3].map(|k| match node.children[k] {
-            MISS => [Vec3::INFINITY; 2],
+            MISS => [Vec3::INFINITY, Vec3::NEG_INFINITY],
             _ => node.child_box(k),
         });
         let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
