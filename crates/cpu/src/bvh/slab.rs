@@ -112,3 +112,7 @@ pub(crate) struct Keys {
     pub(crate) met: u32,
     pub(crate) keys: [f32; 4],
 }
+
+#[cfg(test)]
+#[path = "slab_tests.rs"]
+mod tests;
