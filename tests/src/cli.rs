@@ -3,6 +3,7 @@
 
 mod bad_input;
 mod check;
+mod engines;
 mod formats;
 mod interrupted;
 mod rays;

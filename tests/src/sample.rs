@@ -38,11 +38,8 @@ fn knot() -> String {
         // The curve lies on a torus: its tangent, the torus' normal, and the third of the frame.
         let out = 1.0 + 0.42 * cos3;
         let center = DVec3::new(out * cos2, out * sin2, 0.42 * sin3);
-        let tangent = DVec3::new(
-            -1.26 * sin3 * cos2 - 2.0 * out * sin2,
-            -1.26 * sin3 * sin2 + 2.0 * out * cos2,
-            1.26 * cos3,
-        );
+        let tangent =
+            DVec3::new(-1.26 * sin3 * cos2 - 2.0 * out * sin2, -1.26 * sin3 * sin2 + 2.0 * out * cos2, 1.26 * cos3);
         let normal = DVec3::new(cos3 * cos2, cos3 * sin2, sin3);
         let side = tangent.normalize().cross(normal);
         for j in 0..ACROSS {
@@ -69,9 +66,10 @@ fn the_knot_is_the_one_made_here() {
         fs::write(&fresh, made).unwrap();
         panic!("tests/data/knot.obj is another mesh; the one made here is {}", fresh.display());
     }
-    let Geometry::Mesh(mesh) = load(&data("knot.obj")).unwrap().scene.geometries()[0].clone() else { panic!("no mesh") };
+    let loaded = load(&data("knot.obj")).unwrap();
+    let [Geometry::Mesh(mesh)] = loaded.scene.geometries() else { panic!("not one mesh") };
     assert_eq!(mesh.triangles.len(), 2 * (AROUND * ACROSS) as usize);
-    assert_eq!(open_edges(&mesh), 0);
+    assert_eq!(open_edges(mesh), 0);
     let volume: f64 = (0..mesh.triangles.len())
         .map(|i| mesh.triangle(i))
         .map(|t| t.a.as_dvec3().dot(t.b.as_dvec3().cross(t.c.as_dvec3())) / 6.0)
