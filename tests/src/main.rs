@@ -7,4 +7,5 @@ mod device;
 mod house;
 mod sample;
 mod scenes;
+mod shaders;
 mod truth;

@@ -88,9 +88,10 @@ fn open(options: &Options) -> Result<(Option<Gpu>, Option<String>), Error> {
     let Some(selector) = options.device.selector() else { return Ok((None, None)) };
     match Gpu::open(&selector) {
         Ok(gpu) => Ok((Some(gpu), None)),
-        Err(_) if selector == Selector::Hardware => {
+        Err(rayproof_gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
             Ok((None, Some("no hardware GPU with a Vulkan driver was found".to_owned())))
         }
+        Err(e) if selector == Selector::Hardware => Ok((None, Some(format!("the GPU could not be used: {e}")))),
         Err(e) => Err(e.into()),
     }
 }
