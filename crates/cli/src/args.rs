@@ -71,7 +71,7 @@ pub(crate) struct Intersect {
     #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
-    /// The rays, '-' for stdin: .npy of shape (N, 6) or (N, 8), .csv with ox,oy,oz,dx,dy,dz[,t_min,t_max]
+    /// The rays, '-' for stdin: .npy of shape (N, 6) or (N, 8), .csv with ox,oy,oz,dx,dy,dz and, if wanted, t_min,t_max
     #[arg(value_name = "RAYS")]
     pub(crate) rays: PathBuf,
 

@@ -1,7 +1,7 @@
 //! Ray hits you can trust: pick a device, stream batches of rays through it, get the hits back.
 //!
-//! [`Intersector::new`] takes a [`Scene`] and [`Options`], builds the tree and puts it on the device;
-//! [`Intersector::closest`] and [`Intersector::any`] answer batches of any size. [`devices`] lists what there is.
+//! [`Intersector::new`] takes a [`Scene`](scene::Scene) and [`Options`], builds the tree and puts it on the device;
+//! [`Intersector::closest`] and [`Intersector::any`] answer batches of any size. [`adapters`] lists what there is.
 //!
 //! ```
 //! use glam::Vec3;

@@ -11,8 +11,11 @@ use crate::engines::Contestant;
 
 pub(crate) const NAME: &str = "plain kernel on gpu";
 
+/// Nodes of 32 bytes, triangles of 48.
+type Tree = (Vec<[u32; 8]>, Vec<[f32; 12]>);
+
 /// obvhs's tree, medium build, in the kernel's layout: 32 bytes a node, 48 a triangle in leaf order.
-fn tree(scene: &Scene) -> anyhow::Result<(Vec<[u32; 8]>, Vec<[f32; 12]>)> {
+fn tree(scene: &Scene) -> anyhow::Result<Tree> {
     let [Geometry::Mesh(mesh)] = scene.geometries() else { anyhow::bail!("one mesh only") };
     let triangles: Vec<Triangle> = (0..mesh.triangles.len())
         .map(|i| mesh.triangle(i))
