@@ -29,8 +29,8 @@ pub(crate) const NO_HIT: Candidate = Candidate { hit: false, t: 0.0, u: 0.0, v: 
 /// A ray as a tier's formulas take it; twin of the `TierRay` of `shaders/classic/ray.wgsl` and `shaders/fast/ray.wgsl`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TierRay {
-    pub(crate) origin: glam::Vec3,
-    pub(crate) direction: glam::Vec3,
+    pub(crate) origin: glam::Vec3A,
+    pub(crate) direction: glam::Vec3A,
     pub(crate) t_min: f32,
     pub(crate) t_max: f32,
     /// Box units: `s = t 2^box_exponent`.

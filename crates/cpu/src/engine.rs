@@ -93,11 +93,14 @@ impl Engine {
         rays.par_chunks(TASK).zip(answers.par_chunks_mut(TASK)).for_each_init(
             || stack(self.bvh.stack_depth),
             |stack, (rays, answers)| {
-                wide::run(|| {
-                    for (ray, slot) in rays.iter().zip(answers) {
-                        *slot = answer(ray, stack);
-                    }
-                });
+                wide::run(
+                    #[inline(always)]
+                    || {
+                        for (ray, slot) in rays.iter().zip(answers) {
+                            *slot = answer(ray, stack);
+                        }
+                    },
+                );
             },
         );
     }

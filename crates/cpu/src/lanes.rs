@@ -1,7 +1,7 @@
 //! Four triangles abreast. Each lane does what the kernel does for one triangle, in the same order, so its bits are the
 //! same; where the kernel returns early, a lane is masked.
 
-use glam::{Vec3, Vec4};
+use glam::{Vec3, Vec3A, Vec4};
 use rayproof_scene::bvh::PackedTriangle;
 
 /// Three coordinates of four points.
@@ -19,7 +19,7 @@ impl Vec3x4 {
     }
 
     #[inline(always)]
-    pub(crate) fn splat(p: Vec3) -> Self {
+    pub(crate) fn splat(p: Vec3A) -> Self {
         Self { x: Vec4::splat(p.x), y: Vec4::splat(p.y), z: Vec4::splat(p.z) }
     }
 }

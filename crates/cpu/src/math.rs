@@ -1,9 +1,9 @@
 //! Twin of `shaders/math.wgsl`.
 
-use glam::Vec3;
+use glam::Vec3A;
 
 #[inline(always)]
-pub(crate) fn dot3(a: Vec3, b: Vec3) -> f32 {
+pub(crate) fn dot3(a: Vec3A, b: Vec3A) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
@@ -20,6 +20,14 @@ pub(crate) fn scale_by_power(x: f32, n: i32) -> f32 {
     x * power_of_two(half) * power_of_two(m - half)
 }
 
+/// Each coordinate scaled as [`scale_by_power`] does.
+#[inline(always)]
+pub(crate) fn scale_point(p: Vec3A, n: i32) -> Vec3A {
+    let m = n.clamp(-252, 252);
+    let half = m >> 1;
+    p * power_of_two(half) * power_of_two(m - half)
+}
+
 #[inline(always)]
 #[expect(clippy::cast_possible_wrap, reason = "nine bits")]
 pub(crate) const fn exponent_of(x: f32) -> i32 {
@@ -27,8 +35,8 @@ pub(crate) const fn exponent_of(x: f32) -> i32 {
 }
 
 #[inline(always)]
-pub(crate) fn largest(v: Vec3) -> f32 {
-    v.x.abs().max(v.y.abs()).max(v.z.abs())
+pub(crate) fn largest(v: Vec3A) -> f32 {
+    v.abs().max_element()
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! Twin of `shaders/bvh/slab.wgsl`.
 
-use glam::{BVec3, Vec3, Vec4};
+use glam::{Vec3, Vec3A, Vec4};
 use rayproof_scene::MISS;
 use rayproof_scene::bvh::Node;
 
@@ -17,9 +17,8 @@ const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct WideNode {
-    /// Low x, high x, low y, high y, low z, high z.
-    planes: [Vec4; 6],
-    pub(crate) children: [u32; 4],
+    /// Low x, high x, low y, high y, low z, high z; the children's words as bits; and nothing, so that three bits index.
+    planes: [Vec4; 8],
 }
 
 impl WideNode {
@@ -29,34 +28,57 @@ impl WideNode {
             _ => node.child_box(k),
         });
         let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
-        Self {
-            planes: [planes(0, 0), planes(1, 0), planes(0, 1), planes(1, 1), planes(0, 2), planes(1, 2)],
-            children: node.children,
-        }
+        let mut wide = Self {
+            planes: [
+                planes(0, 0),
+                planes(1, 0),
+                planes(0, 1),
+                planes(1, 1),
+                planes(0, 2),
+                planes(1, 2),
+                Vec4::ZERO,
+                Vec4::ZERO,
+            ],
+        };
+        wide.set_children(node.children);
+        wide
+    }
+
+    #[inline(always)]
+    pub(crate) fn child(&self, k: usize) -> u32 {
+        self.planes[6].as_ref()[k & 3].to_bits()
+    }
+
+    pub(crate) fn children(&self) -> [u32; 4] {
+        self.planes[6].to_array().map(f32::to_bits)
+    }
+
+    pub(crate) fn set_children(&mut self, words: [u32; 4]) {
+        self.planes[6] = Vec4::from_array(words.map(f32::from_bits));
     }
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxRay {
     /// What the planes that the ray meets first on each axis are measured from, and those it meets last.
-    from_near: Vec3,
-    from_far: Vec3,
+    from_near: Vec3A,
+    from_far: Vec3A,
     /// Which of [`WideNode::planes`] are met first; the other of a pair is met last. The kernel's `back`.
     near: [usize; 3],
-    inverse: Vec3,
+    inverse: Vec3A,
     s_min: f32,
     slack: f32,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct UnitDirection {
-    pub(crate) direction: Vec3,
+    pub(crate) direction: Vec3A,
     pub(crate) exponent: i32,
 }
 
 #[inline(always)]
 pub(crate) fn unit_direction(direction: Vec3) -> UnitDirection {
-    let mut d = direction;
+    let mut d = Vec3A::from(direction);
     let mut exponent = 0;
     if largest(d) < power_of_two(-100) {
         d *= power_of_two(100);
@@ -67,21 +89,24 @@ pub(crate) fn unit_direction(direction: Vec3) -> UnitDirection {
 }
 
 #[inline(always)]
-pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32) -> BoxRay {
-    let limit = power_of_two(126);
-    let o = Vec3::from(origin.to_array().map(|x| x.clamp(-limit, limit)));
+pub(crate) fn box_ray(params: &Params, origin: Vec3A, direction: Vec3A, s_min: f32) -> BoxRay {
+    let limit = Vec3A::splat(power_of_two(126));
+    let o = origin.max(-limit).min(limit);
     let reach = largest(o) + params.scene_size;
-    let still: BVec3 = direction.abs().cmplt(Vec3::splat(SMALLEST_DIRECTION));
-    let moved = Vec3::select(still, Vec3::splat(SMALLEST_DIRECTION), direction);
-    let wide = Vec3::splat(reach * power_of_two(-50)).max(o.abs() * power_of_two(-22));
-    let from_low = Vec3::select(still, o + wide, o);
-    let from_high = Vec3::select(still, o - wide, o);
-    let back = moved.cmplt(Vec3::ZERO);
+    let still = direction.abs().cmplt(Vec3A::splat(SMALLEST_DIRECTION));
+    let moved = Vec3A::select(still, Vec3A::splat(SMALLEST_DIRECTION), direction);
+    let wide = Vec3A::splat(reach * power_of_two(-50)).max(o.abs() * power_of_two(-22));
+    let from_low = Vec3A::select(still, o + wide, o);
+    let from_high = Vec3A::select(still, o - wide, o);
+    let back = moved.cmplt(Vec3A::ZERO);
     BoxRay {
-        from_near: Vec3::select(back, from_high, from_low),
-        from_far: Vec3::select(back, from_low, from_high),
-        near: [usize::from(back.x), 2 + usize::from(back.y), 4 + usize::from(back.z)],
-        inverse: Vec3::ONE / moved,
+        from_near: Vec3A::select(back, from_high, from_low),
+        from_far: Vec3A::select(back, from_low, from_high),
+        near: {
+            let back = back.bitmask() as usize;
+            [back & 1, 2 + (back >> 1 & 1), 4 + (back >> 2 & 1)]
+        },
+        inverse: Vec3A::ONE / moved,
         s_min,
         slack: params.scene_size * power_of_two(-40),
     }
@@ -89,8 +114,8 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3, direction: Vec3, s_min: f32
 
 #[inline(always)]
 pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Keys {
-    let enter = |axis: usize| (node.planes[ray.near[axis]] - ray.from_near[axis]) * ray.inverse[axis];
-    let leave = |axis: usize| (node.planes[ray.near[axis] ^ 1] - ray.from_far[axis]) * ray.inverse[axis];
+    let enter = |axis: usize| (node.planes[ray.near[axis] & 7] - ray.from_near[axis]) * ray.inverse[axis];
+    let leave = |axis: usize| (node.planes[(ray.near[axis] ^ 1) & 7] - ray.from_far[axis]) * ray.inverse[axis];
     let (enter, leave) = (enter(0).max(enter(1)).max(enter(2)), leave(0).min(leave(1)).min(leave(2)));
     let (narrow, widen) = (Vec4::splat(NARROW), Vec4::splat(WIDEN));
     let near = enter * Vec4::select(enter.cmpgt(Vec4::ZERO), narrow, widen) - ray.slack;

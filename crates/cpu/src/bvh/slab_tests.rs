@@ -78,8 +78,8 @@ fn touch(r: &mut Random) -> Option<Touch> {
     // origin + s d = the point, for d = to unit stretch 2^-exponent.
     let UnitDirection { direction, exponent } = unit_direction(to * unit * stretch);
     let s = m as f32 * power_of_two(exponent) / stretch;
-    let size = 2.0_f32.powf(largest(low).max(largest(high)).max(1.0).log2().ceil()) * unit;
-    Some(Touch { low: low * unit, high: high * unit, origin: origin * unit, direction, size, s })
+    let size = 2.0_f32.powf(largest(low.into()).max(largest(high.into())).max(1.0).log2().ceil()) * unit;
+    Some(Touch { low: low * unit, high: high * unit, origin: origin * unit, direction: direction.into(), size, s })
 }
 
 fn touches() -> Vec<Touch> {
@@ -95,7 +95,7 @@ fn node(t: &Touch, slot: usize) -> WideNode {
         Vec4::from(lanes)
     };
     let (low, high) = (|i: usize| planes(t.low[i], f32::INFINITY), |i: usize| planes(t.high[i], f32::NEG_INFINITY));
-    WideNode { planes: [low(0), high(0), low(1), high(1), low(2), high(2)], children: [MISS; 4] }
+    WideNode { planes: [low(0), high(0), low(1), high(1), low(2), high(2), Vec4::ZERO, Vec4::ZERO] }
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn every_box_that_is_touched_is_met() {
         let params = Params { scene_exponent: 0, scene_size: t.size };
         // The range shrunk to the touch itself, and the ray from beyond it looking back.
         for (direction, s) in [(t.direction, t.s), (-t.direction, -t.s)] {
-            let ray = box_ray(&params, t.origin, direction, s);
+            let ray = box_ray(&params, t.origin.into(), direction.into(), s);
             let keys = child_keys(&ray, &node(t, i % 4), s);
             assert_eq!(keys.met, 1 << (i % 4), "{t:?}");
             let key = keys.keys[i % 4];
@@ -168,7 +168,7 @@ impl Adversary<'_> {
             true if t.s > 0.0 => (Ordering::Greater, Ordering::Less),
             true => (Ordering::Less, Ordering::Greater),
         };
-        let reach = self.either(f64::from(largest(t.origin)) + f64::from(t.size));
+        let reach = self.either(f64::from(largest(t.origin.into())) + f64::from(t.size));
         let slack = t.size * power_of_two(-40);
         let (mut enter, mut leave) = (f32::NEG_INFINITY, f32::INFINITY);
         for i in 0..3 {
@@ -218,7 +218,7 @@ fn boxes_far_from_the_ray_are_not_met() {
     for t in touches() {
         let params = Params { scene_exponent: 0, scene_size: t.size };
         let aside = t.direction.cross(Vec3::new(0.3, 0.7, 0.1)).normalize_or_zero() * t.size * 8.0;
-        let ray = box_ray(&params, t.origin + aside, t.direction, f32::NEG_INFINITY);
+        let ray = box_ray(&params, (t.origin + aside).into(), t.direction.into(), f32::NEG_INFINITY);
         left_out += usize::from(child_keys(&ray, &node(&t, 0), FARTHEST).met == 0);
     }
     assert!(left_out > RAYS * 9 / 10, "{left_out} of {RAYS}");

@@ -64,7 +64,7 @@ fn descend(boxes: &BoxRay, node: &WideNode, s_max: f32, stack: &mut Stack, top: 
     while met != 0 {
         let k = met.trailing_zeros() as usize;
         met &= met - 1;
-        let entry = (keys[k], node.children[k]);
+        let entry = (keys[k], node.child(k));
         let mut at = *top;
         while at > base && stack[at - 1].0 < entry.0 {
             stack[at] = stack[at - 1];

@@ -1,19 +1,18 @@
 //! Twin of `shaders/classic/ray.wgsl`.
 
-use glam::Vec3;
 use rayproof_scene::Ray;
 
 use crate::batch::{Params, TierRay};
 use crate::bvh::slab::UnitDirection;
-use crate::math::{scale_by_power, scale_high_end, scale_low_end};
+use crate::math::{scale_high_end, scale_low_end, scale_point};
 
 #[inline(always)]
 pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> TierRay {
     let n = params.scene_exponent;
-    let origin = Vec3::from(ray.origin.to_array().map(|x| scale_by_power(x, n)));
+    let origin = scale_point(ray.origin.into(), n);
     TierRay {
         origin,
-        direction: ray.direction,
+        direction: ray.direction.into(),
         t_min: scale_low_end(ray.t_min, n),
         t_max: scale_high_end(ray.t_max, n),
         box_exponent: unit.exponent,

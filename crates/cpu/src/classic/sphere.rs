@@ -1,5 +1,6 @@
 //! Twin of `shaders/classic/sphere.wgsl`.
 
+use glam::Vec3A;
 use rayproof_scene::Sphere;
 
 use crate::batch::{Candidate, NO_HIT, TierRay};
@@ -7,7 +8,7 @@ use crate::math::dot3;
 
 #[inline(always)]
 pub(crate) fn intersect_sphere(ray: &TierRay, &Sphere { center, radius }: &Sphere) -> Candidate {
-    let o = ray.origin - center;
+    let o = ray.origin - Vec3A::from(center);
     let a = dot3(ray.direction, ray.direction);
     let b = 2.0 * dot3(ray.direction, o);
     let c = dot3(o, o) - radius * radius;

@@ -1,17 +1,16 @@
 //! Twin of `shaders/fast/ray.wgsl`.
 
-use glam::Vec3;
 use rayproof_scene::Ray;
 
 use crate::batch::{Params, TierRay};
 use crate::bvh::slab::UnitDirection;
-use crate::math::{scale_by_power, scale_high_end, scale_low_end};
+use crate::math::{scale_high_end, scale_low_end, scale_point};
 
 #[inline(always)]
 pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> TierRay {
     let m = params.scene_exponent;
     let n = unit.exponent + m;
-    let origin = Vec3::from(ray.origin.to_array().map(|x| scale_by_power(x, m)));
+    let origin = scale_point(ray.origin.into(), m);
     TierRay {
         origin,
         direction: unit.direction,

@@ -51,12 +51,14 @@ pub(crate) fn lanes(bvh: &Bvh) -> (Vec<Triangles4>, Vec<WideNode>) {
     let mut leaves = Vec::with_capacity(bvh.triangles.len() / 2);
     let mut node = |node: &Node| {
         let mut wide = WideNode::new(node);
-        for word in &mut wide.children {
+        let mut children = wide.children();
+        for word in &mut children {
             if let Child::Triangles { first, count } = Child::from_word(*word) {
                 *word = Child::Triangles { first: leaves.len(), count }.word();
                 leaves.push(Triangles4::new(&bvh.triangles[first..first + count]));
             }
         }
+        wide.set_children(children);
         wide
     };
     let nodes = bvh.nodes.iter().map(&mut node).collect();
