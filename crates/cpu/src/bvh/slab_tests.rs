@@ -3,6 +3,7 @@
 //! Positions are whole numbers times a power of two, so that what touches is known exactly: a ray is aimed at a point of a
 //! box's corner, edge, face or inside, often along a face or an edge, and reaches it at a parameter that is a power of two.
 #![expect(clippy::cast_possible_truncation, reason = "small whole numbers")]
+#![expect(clippy::print_stdout, reason = "a test says its seed")]
 
 use super::*;
 
@@ -21,7 +22,6 @@ impl Random {
         self.next().is_multiple_of(n)
     }
 
-    #[expect(clippy::cast_possible_wrap, reason = "31 bits")]
     fn within(&mut self, low: i32, high: i32) -> i32 {
         low + (self.next() as i32) % (high - low + 1)
     }

@@ -44,7 +44,7 @@ fn main() -> anyhow::Result<()> {
             if chosen.is_empty() {
                 continue;
             }
-            let rays = rays::make(&scene, kind)?;
+            let rays = rays::make(&scene, name, kind)?;
             measure(name, kind, &rays, &chosen)?;
         }
     }

@@ -24,8 +24,23 @@ impl Numbers {
     }
 }
 
-pub(crate) fn make(scene: &Scene, kind: &str) -> anyhow::Result<Vec<Ray>> {
-    let primary: Vec<Ray> = Camera::framing(scene).rays(SIDE, SIDE, 0..SIDE).collect();
+/// A camera that frames the scene; in a hall, one that stands in its middle and looks along it.
+fn camera(scene: &Scene, name: &str) -> Camera {
+    let framing = Camera::framing(scene);
+    let [low, high] = scene.bounds().unwrap_or_default();
+    match name {
+        "hall" => Camera {
+            eye: (low + high) * 0.5,
+            target: Vec3::new(high.x, (low.y + high.y) * 0.5, low.z),
+            up: Vec3::Z,
+            fov_y: 70.0,
+        },
+        _ => framing,
+    }
+}
+
+pub(crate) fn make(scene: &Scene, name: &str, kind: &str) -> anyhow::Result<Vec<Ray>> {
+    let primary: Vec<Ray> = camera(scene, name).rays(SIDE, SIDE, 0..SIDE).collect();
     let mut numbers = Numbers(1);
     Ok(match kind {
         "primary" => primary,

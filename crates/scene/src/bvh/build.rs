@@ -140,7 +140,7 @@ impl Builder {
         self.bvh.nodes.len() - 1
     }
 
-    /// The up to four slots under one: the largest that can be opened is, until there are four.
+    /// The up to four slots under one, smallest first: the largest that can be opened is, until there are four.
     fn gather(&mut self, slot: Slot) -> Vec<(Slot, [Vec3; 2])> {
         let mut slots = self.open(slot);
         while slots.len() < 4 {
@@ -154,6 +154,9 @@ impl Builder {
             }
             slots.splice(i..=i, opened);
         }
+        // Slots decide between children entered at the same distance, as many are at a wall: the smaller is the likelier to
+        // hold the hit. It halves the nodes visited in a hall.
+        slots.sort_by(|a, b| half_area(a.1).total_cmp(&half_area(b.1)));
         slots
     }
 
