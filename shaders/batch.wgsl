@@ -18,6 +18,18 @@ struct Ray {
     t_max: f32,
 }
 
+// A ray as a tier's formulas take it.
+struct TierRay {
+    origin: vec3<f32>,
+    direction: vec3<f32>,
+    t_min: f32,
+    t_max: f32,
+    // Box units: s = t 2^box_exponent.
+    box_exponent: i32,
+    // What is returned: t 2^out_exponent.
+    out_exponent: i32,
+}
+
 struct Hit {
     t: f32,
     u: f32,

@@ -1,6 +1,6 @@
 // Depth first, the nearest child next, the others kept with their keys and dropped when a nearer hit has been found.
 //
-// `TierRay`, `tier_ray` come from the tier (classic/ or fast/), `intersect_leaf` from leaf/, `ANY_HIT` from query/, and
+// `tier_ray` comes from the tier (classic/ or fast/), `intersect_leaf` from leaf/, `ANY_HIT` from query/, and
 // `node_quad` from the host, which knows over how many bindings the nodes are spread. STACK_SIZE is the host's too: what
 // this tree needs at most, plus three, since a push writes before it knows whether the entry stays.
 

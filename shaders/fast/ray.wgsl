@@ -2,17 +2,6 @@
 // 2 <= max|d_i| < 4. With p = e + t d, e' = 2^m e and d' = 2^-k d it is p' = e' + t' d' for t' = t 2^(k + m): roots are the
 // same numbers but for a power of two. It takes |d| from 1e-38 to 1e38, scenes from 1e-30 to 1e30, and origins up to 2^60
 // scene sizes away, without overflow of a product of three lengths.
-struct TierRay {
-    origin: vec3<f32>,
-    direction: vec3<f32>,
-    t_min: f32,
-    t_max: f32,
-    // Box units: s = t 2^box_exponent.
-    box_exponent: i32,
-    // What is returned: t 2^out_exponent.
-    out_exponent: i32,
-}
-
 fn tier_ray(ray: Ray, unit: UnitDirection) -> TierRay {
     let m = params.scene_exponent;
     let n = unit.exponent + m;

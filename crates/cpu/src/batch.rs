@@ -26,7 +26,7 @@ pub(crate) struct Candidate {
 
 pub(crate) const NO_HIT: Candidate = Candidate { hit: false, t: 0.0, u: 0.0, v: 0.0 };
 
-/// A ray as a tier's formulas take it; twin of the `TierRay` of `shaders/classic/ray.wgsl` and `shaders/fast/ray.wgsl`.
+/// A ray as a tier's formulas take it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TierRay {
     pub(crate) origin: glam::Vec3A,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use crate::Error;
-use crate::adapter::{driver, kind};
+use crate::adapter::{choose, driver};
 use crate::fingerprint::{Fingerprint, Route};
 use crate::float_controls;
 use crate::link::Linked;
@@ -280,50 +280,4 @@ impl Gpu {
             .collect();
         self.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
     }
-}
-
-/// The adapter that was asked for.
-fn choose(infos: &[wgpu::AdapterInfo], selector: &Selector) -> Result<usize, Error> {
-    use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, Other, VirtualGpu};
-    let holds = |name: &str, part: &str| name.to_lowercase().contains(&part.to_lowercase());
-    let wanted_name = std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());
-    let best = |kinds: &[wgpu::DeviceType]| {
-        kinds.iter().find_map(|kind| {
-            infos.iter().position(|info| {
-                info.device_type == *kind && wanted_name.as_ref().is_none_or(|name| holds(&info.name, name))
-            })
-        })
-    };
-    let (found, wanted) = match selector {
-        Selector::Hardware => {
-            (best(&[DiscreteGpu, IntegratedGpu, VirtualGpu, Other]), "no hardware GPU was found".to_owned())
-        }
-        Selector::Best => {
-            (best(&[DiscreteGpu, IntegratedGpu, VirtualGpu, Other, Cpu]), "no Vulkan adapter was found".to_owned())
-        }
-        Selector::Index(index) => ((*index < infos.len()).then_some(*index), format!("there is no adapter {index}")),
-        Selector::Name(name) => {
-            (infos.iter().position(|info| holds(&info.name, name)), format!("no adapter's name holds \"{name}\""))
-        }
-        Selector::Pci(bus) => (
-            infos.iter().position(|info| info.device_pci_bus_id.eq_ignore_ascii_case(bus)),
-            format!("no adapter is on PCI bus {bus}"),
-        ),
-    };
-    found.ok_or_else(|| Error::NoAdapter { wanted, there: listing(infos) })
-}
-
-/// One line an adapter, as people choose them.
-fn listing(infos: &[wgpu::AdapterInfo]) -> String {
-    if infos.is_empty() {
-        return "there are none (is a Vulkan driver installed?); `cpu` is always there".to_owned();
-    }
-    let lines = infos.iter().enumerate().map(|(index, info)| {
-        let bus = match info.device_pci_bus_id.as_str() {
-            "" => String::new(),
-            bus => format!(", pci:{bus}"),
-        };
-        format!("\n  index:{index}  {} ({}{bus})", info.name, kind(info))
-    });
-    format!("there are `cpu` and:{}", lines.collect::<String>())
 }

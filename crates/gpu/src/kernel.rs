@@ -72,7 +72,7 @@ pub struct Kernel {
 
 macro_rules! shaders {
     ($linked:expr, $($path:literal),+ $(,)?) => {{
-        $($linked.add(concat!("shaders/", $path), include_str!(concat!("../../../shaders/", $path)));)+
+        $($linked.add(concat!("shaders/", $path), include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders/", $path)));)+
     }};
 }
 pub(crate) use shaders;

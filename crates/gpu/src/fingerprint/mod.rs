@@ -1,6 +1,6 @@
 //! The device's `f32` arithmetic, measured.
 
-use std::fmt;
+mod print;
 
 use bytemuck::{Pod, Zeroable};
 
@@ -21,15 +21,6 @@ pub enum Route {
 impl Route {
     /// Every route.
     pub const ALL: [Self; 2] = [Self::ExactSpirv, Self::PlainWgsl];
-}
-
-impl fmt::Display for Route {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::ExactSpirv => "SPIR-V with NoContraction",
-            Self::PlainWgsl => "plain WGSL",
-        })
-    }
 }
 
 /// 2^-64: it makes small numbers subnormal.
@@ -238,98 +229,5 @@ fn run(gpu: &Gpu, route: Route, pairs: &[[f32; 2]]) -> Result<Vec<Results>, Erro
     Ok(bytemuck::pod_collect_to_vec(&view))
 }
 
-impl fmt::Display for Fingerprint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let survive = |wrong: usize| match wrong {
-            0 => "survives".to_owned(),
-            n => format!("is lost in {n}"),
-        };
-        let rounded = |wrong: usize, ulp: u32| match wrong {
-            0 => "correctly rounded".to_owned(),
-            n => format!("{n} not nearest, up to {ulp} ULP"),
-        };
-        writeln!(f, "{}, {} pairs:", self.route, self.pairs)?;
-        writeln!(f, "  x + y               {}", rounded(self.sum_wrong, 1))?;
-        writeln!(f, "  x * y               {}", rounded(self.product_wrong, 1))?;
-        writeln!(f, "  x / y               {}", rounded(self.quotient_wrong, self.quotient_ulp))?;
-        writeln!(f, "  sqrt x              {}", rounded(self.root_wrong, self.root_ulp))?;
-        writeln!(f, "  error of x + y      {}", survive(self.sum_error_wrong))?;
-        writeln!(f, "  error of x * y      {}", survive(self.product_error_wrong))?;
-        match self.contracted {
-            0 => writeln!(f, "  x*y - c*(y*x)       as written")?,
-            n => writeln!(f, "  x*y - c*(y*x)       rewritten in {n}")?,
-        }
-        writeln!(f, "  fma                 {}", if self.fused > 0 { "fused" } else { "not fused" })?;
-        match self.comparisons_wrong {
-            0 => writeln!(f, "  comparisons, NaN    IEEE")?,
-            n => writeln!(f, "  comparisons, NaN    {n} not IEEE")?,
-        }
-        match self.subnormals_wrong {
-            0 => writeln!(f, "  subnormals          kept, all {}", self.subnormals)?,
-            n => writeln!(f, "  subnormals          {n} of {} not kept", self.subnormals)?,
-        }
-        write!(f, "  verdict             {}", if self.is_ieee() { "IEEE: the CPU's bits" } else { "not IEEE" })
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// What a device that follows IEEE and does not fuse would answer.
-    fn ieee(pairs: &[[f32; 2]]) -> Vec<Results> {
-        pairs
-            .iter()
-            .map(|&[x, y]| Results {
-                sum: x + y,
-                sum_error: sum_error(x, y),
-                product: x * y,
-                product_error: product_error(x, y),
-                contracted: x * y - (y * x) * 1.000_000_1,
-                quotient: x / y,
-                root: x.abs().sqrt(),
-                fma_error: 0.0,
-                comparisons: comparisons(x, y),
-                scaled: x * SMALL,
-            })
-            .collect()
-    }
-
-    #[test]
-    fn a_faithful_device_passes_and_each_fault_is_seen() {
-        let pairs = pairs();
-        assert_eq!(pairs.len(), PAIRS);
-        let right = Fingerprint::judge(Route::ExactSpirv, &pairs, &ieee(&pairs));
-        assert!(right.is_ieee() && right.keeps_errors() && right.fused == 0, "{right}");
-        assert!(right.subnormals > 400, "{} subnormal results", right.subnormals);
-        type Fault = (fn(&mut Results), fn(&Fingerprint) -> usize);
-        let faults: [Fault; 9] = [
-            (|r| r.sum = r.sum.next_up(), |f| f.sum_wrong),
-            (|r| r.sum_error = 0.0, |f| f.sum_error_wrong),
-            (|r| r.product = r.product.next_down(), |f| f.product_wrong),
-            (|r| r.product_error = 0.0, |f| f.product_error_wrong),
-            (|r| r.contracted += 1.0, |f| f.contracted),
-            (|r| r.quotient = r.quotient.next_up(), |f| f.quotient_wrong),
-            (|r| r.root = r.root.next_up(), |f| f.root_wrong),
-            (|r| r.comparisons ^= 4, |f| f.comparisons_wrong),
-            (|r| r.scaled = if r.scaled.is_subnormal() { 0.0 } else { r.scaled }, |f| f.subnormals_wrong),
-        ];
-        for (i, (damage, count)) in faults.into_iter().enumerate() {
-            let mut results = ieee(&pairs);
-            results.iter_mut().for_each(damage);
-            let f = Fingerprint::judge(Route::ExactSpirv, &pairs, &results);
-            assert!(count(&f) > 100, "fault {i}: {f}");
-            assert!(!(f.is_ieee() && f.keeps_errors()), "fault {i}");
-        }
-    }
-
-    #[test]
-    fn a_fused_device_is_told() {
-        let pairs = pairs();
-        let mut results = ieee(&pairs);
-        for (r, [x, y]) in results.iter_mut().zip(&pairs) {
-            r.fma_error = x.mul_add(*y, -(x * y));
-        }
-        assert!(Fingerprint::judge(Route::ExactSpirv, &pairs, &results).fused > PAIRS / 2);
-    }
-}
+mod tests;
