@@ -101,7 +101,7 @@ pub(crate) fn choose(infos: &[wgpu::AdapterInfo], selector: &Selector) -> Result
 /// One line an adapter, as people choose them.
 fn listing(infos: &[wgpu::AdapterInfo]) -> String {
     if infos.is_empty() {
-        return "there are none (is a Vulkan driver installed?); `cpu` is always there".to_owned();
+        return "no Vulkan driver is installed, or it finds no device; `cpu` is always there".to_owned();
     }
     let lines = infos.iter().enumerate().map(|(index, info)| {
         let bus = match info.device_pci_bus_id.as_str() {

@@ -1,6 +1,6 @@
 use std::fmt;
 
-use rayproof_scene::{Hit, Ray, Scene};
+use rayproof_scene::{Hit, Primitive, Ray, Scene};
 
 /// An answer to one ray, of any query.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,17 +43,41 @@ pub struct Case {
     pub exact: Answer,
     /// The answer judged.
     pub answer: Answer,
+    /// How far the answer's point is from where it claims to lie, where it claims a hit: see [`residual`].
+    pub residual: Option<f64>,
+}
+
+/// What is left of the primitive's own equation at the answer's point `p = e + t d`, in `f64`: `|f(p)| / r^2` of a sphere's
+/// implicit function `f(p) = (p - c).(p - c) - r^2`, or the distance of `p` from the triangle's `a + u (b - a) + v (c - a)`.
+pub(super) fn residual(scene: &Scene, ray: &Ray, hit: &Hit) -> Option<f64> {
+    let flat = hit.primitive as usize;
+    if flat >= scene.len() {
+        return None;
+    }
+    let p = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
+    Some(match scene.primitive(flat) {
+        Primitive::Sphere(sphere) => {
+            let o = p - sphere.center.as_dvec3();
+            let r = f64::from(sphere.radius);
+            (o.dot(o) - r * r).abs() / (r * r)
+        }
+        Primitive::Triangle(t) => {
+            let [a, b, c] = [t.a, t.b, t.c].map(|v| v.as_dvec3());
+            p.distance(a + (b - a) * f64::from(hit.u) + (c - a) * f64::from(hit.v))
+        }
+    })
 }
 
 impl fmt::Display for Case {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { ray, exact, answer } = self;
+        let Self { ray, exact, answer, residual } = self;
         let show = |numbers: &[f32]| numbers.iter().map(|&x| bits(x)).collect::<Vec<_>>().join("  ");
         writeln!(f, "  origin     {}", show(&ray.origin.to_array()))?;
         writeln!(f, "  direction  {}", show(&ray.direction.to_array()))?;
         writeln!(f, "  range      {}", show(&[ray.t_min, ray.t_max]))?;
         writeln!(f, "  exact      {exact}")?;
-        writeln!(f, "  answer     {answer}")
+        writeln!(f, "  answer     {answer}")?;
+        residual.map_or(Ok(()), |residual| writeln!(f, "  residual   {residual:.3e}"))
     }
 }
 
@@ -107,4 +131,27 @@ pub(super) fn show_hit(hit: &Hit) -> String {
     let Hit { t, u, v, primitive } = *hit;
     let id = if hit.is_hit() { format!("hit {primitive}") } else { "miss".to_owned() };
     format!("{id}  t {}  u {}  v {}", bits(t), bits(u), bits(v))
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use rayproof_scene::{Geometry, Mesh, Sphere};
+
+    use super::*;
+
+    #[test]
+    fn residuals_are_what_is_left_of_the_equations() {
+        let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
+        let mesh = Mesh { vertices, triangles: vec![[0, 1, 2]] };
+        let ball = Sphere { center: Vec3::ZERO, radius: 5.0 };
+        let scene = Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(vec![ball])]);
+        let ray = Ray::new(Vec3::new(0.25, 0.5, -13.0), Vec3::Z);
+        let triangle = |t: f32| residual(&scene, &ray, &Hit { t, u: 0.25, v: 0.5, primitive: 0 });
+        assert_eq!((triangle(13.0), triangle(12.5)), (Some(0.0), Some(0.5)));
+        let axis = Ray::new(Vec3::new(0.0, 0.0, -13.0), Vec3::Z);
+        let sphere = |t: f32| residual(&scene, &axis, &Hit { t, u: 0.0, v: 0.0, primitive: 1 });
+        assert_eq!((sphere(8.0), sphere(9.0)), (Some(0.0), Some(0.36)));
+        assert_eq!(residual(&scene, &ray, &Hit::MISS), None);
+    }
 }

@@ -26,6 +26,7 @@ use std::cmp::Ordering;
 use dashu::rational::RBig;
 use rayproof_scene::{Hit, Ray};
 
+use self::case::residual;
 use self::promise::{Promise, ROUNDOFF};
 pub use self::{
     bits::{BitComparison, compare_bits, ulp_distance},
@@ -92,8 +93,9 @@ pub fn judge_closest(oracle: &Oracle, ray: &Ray, answer: &Hit) -> Verdict {
     let hits = oracle.all(ray);
     let exact = hits.first().map_or(Hit::MISS, ExactHit::to_hit);
     let case = || {
+        let residual = residual(oracle.scene(), ray, answer);
         let [exact, answer] = [exact, *answer].map(|hit| Answer::closest(oracle.scene(), hit));
-        Box::new(Case { ray: *ray, exact, answer })
+        Box::new(Case { ray: *ray, exact, answer, residual })
     };
     match compare_closest(oracle, ray, answer, &hits) {
         Err(fault) => Verdict::Disagrees(fault, case()),
@@ -135,7 +137,7 @@ fn compare_closest(oracle: &Oracle, ray: &Ray, answer: &Hit, hits: &[ExactHit]) 
 pub fn judge_any(oracle: &Oracle, ray: &Ray, answer: u8) -> Verdict {
     let hits = oracle.all(ray);
     let exact = u8::from(!hits.is_empty());
-    let case = || Box::new(Case { ray: *ray, exact: Answer::Any(exact), answer: Answer::Any(answer) });
+    let case = || Box::new(Case { ray: *ray, exact: Answer::Any(exact), answer: Answer::Any(answer), residual: None });
     if answer > 1 {
         return Verdict::Disagrees(Fault::NotAFlag, case());
     }
@@ -158,7 +160,7 @@ pub fn judge_count(oracle: &Oracle, ray: &Ray, answer: u32) -> Verdict {
     if answer == exact {
         return Verdict::Exact(Errors::default());
     }
-    let case = Box::new(Case { ray: *ray, exact: Answer::Count(exact), answer: Answer::Count(answer) });
+    let case = Box::new(Case { ray: *ray, exact: Answer::Count(exact), answer: Answer::Count(answer), residual: None });
     let clear =
         oracle.all(ray).iter().filter(|hit| !Promise::of(oracle, ray, hit.primitive).may_miss(ray, hit)).count();
     if (clear..=possible_hits(oracle, ray)).contains(&(answer as usize)) {
