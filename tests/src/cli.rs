@@ -6,6 +6,7 @@ mod check;
 mod engines;
 mod formats;
 mod interrupted;
+mod overwrite;
 mod rays;
 mod render;
 mod streams;

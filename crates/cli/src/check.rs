@@ -1,11 +1,12 @@
 //! `--check`: rays answered again in exact arithmetic.
 
 use rayon::prelude::*;
-use rayproof::scene::Scene;
+use rayproof::scene::{HitKind, Scene};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::judge::Verdict;
 
 use crate::answer::Answer;
+use crate::choices::Tier;
 use crate::exit::say;
 use crate::progress::Progress;
 use crate::sample::Sample;
@@ -19,13 +20,19 @@ const CHUNK: usize = 256;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Checked {
     pub(crate) checked: u64,
+    /// The exact answer, with `t` rounded to the nearest.
+    pub(crate) correctly_rounded: u64,
+    /// How far `t` is off at most among the answers with the exact primitive; `None` where no answer has a `t`.
+    pub(crate) worst_ulp: Option<u64>,
     /// Not the exact answer, but one that the precision tier allows.
     pub(crate) within_promise: u64,
     pub(crate) disagreed: u64,
 }
 
 /// Asks the oracle about every sample, in parallel, and prints the disagreements on stderr, the first few in full.
-pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], quiet: bool) -> Checked {
+///
+/// The tier `classic` promises nothing: there an answer that only the promise of another tier allows is a disagreement.
+pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier, quiet: bool) -> Checked {
     if samples.is_empty() {
         return Checked::default();
     }
@@ -36,15 +43,26 @@ pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], quiet: bool
         let verdicts: Vec<Verdict> = chunk.par_iter().map(|s| s.answer.judge(&oracle, &s.ray)).collect();
         for (sample, verdict) in chunk.iter().zip(verdicts) {
             checked.checked += 1;
-            match verdict {
-                Verdict::Exact(_) => {}
-                Verdict::WithinPromise(_) => checked.within_promise += 1,
-                Verdict::Disagrees(..) => {
-                    checked.disagreed += 1;
-                    if checked.disagreed <= PRINTED {
-                        progress.suspend(|| say(format_args!("ray {}: {verdict}", sample.index)));
+            let fault = match verdict {
+                Verdict::Exact(errors) => {
+                    checked.correctly_rounded += u64::from(errors.t == 0);
+                    if A::KIND == HitKind::Closest {
+                        checked.worst_ulp = checked.worst_ulp.max(Some(errors.t));
                     }
+                    continue;
                 }
+                Verdict::WithinPromise(case) if tier == Tier::Classic => {
+                    format!("disagrees: it is not the exact answer, and classic promises no other\n{case}")
+                }
+                Verdict::WithinPromise(_) => {
+                    checked.within_promise += 1;
+                    continue;
+                }
+                Verdict::Disagrees(..) => verdict.to_string(),
+            };
+            checked.disagreed += 1;
+            if checked.disagreed <= PRINTED {
+                progress.suspend(|| say(format_args!("ray {}: {fault}", sample.index)));
             }
         }
         progress.add(chunk.len());

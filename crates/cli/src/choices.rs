@@ -7,6 +7,7 @@ use rayproof::Precision;
 use rayproof::scene::{self, InvalidRays};
 
 use crate::exit::{Code, Failure};
+use crate::target;
 
 /// What is asked of a ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -70,10 +71,11 @@ impl Format {
     /// The format to write `path` in: this one for stdout, else what its ending says.
     ///
     /// # Errors
-    /// A usage error where the ending says nothing.
+    /// A usage error where the ending says nothing; another where the folder is not there.
     pub(crate) fn of_output(self, path: &Path) -> Result<scene::Format, Failure> {
         if path.as_os_str() != "-" {
-            return scene::Format::of(path).map_err(|e| Failure::new(Code::Usage, format!("--output: {e}")));
+            let format = scene::Format::of(path).map_err(|e| Failure::new(Code::Usage, unknown(path, &e)))?;
+            return target::has_folder(path).map(|()| format);
         }
         Ok(match self {
             Self::Npy => scene::Format::Npy,
@@ -81,6 +83,18 @@ impl Format {
             #[cfg(feature = "parquet")]
             Self::Parquet => scene::Format::Parquet,
         })
+    }
+}
+
+/// The endings that this build writes.
+const ENDINGS: &str = if cfg!(feature = "parquet") { ".npy, .csv or .parquet" } else { ".npy or .csv" };
+
+fn unknown(path: &Path, error: &scene::Error) -> String {
+    match error {
+        scene::Error::Bad(bad) => {
+            format!("--output: {}: {}; give a name that ends in {ENDINGS}", path.display(), bad.what)
+        }
+        other => format!("--output: {other}"),
     }
 }
 

@@ -1,8 +1,9 @@
 //! `rayproof intersect`: a file of rays in, a file of answers out.
 
+use std::path::PathBuf;
 use std::time::Instant;
 
-use rayproof::scene::{Format, Hit, HitWriter, Scene};
+use rayproof::scene::{Format, Hit, HitWriter, LoadedScene, Scene};
 use rayproof::{Intersector, Options};
 
 use crate::answer::Answer;
@@ -15,7 +16,8 @@ use crate::pipeline::{self, Traced};
 use crate::progress::Progress;
 use crate::sample::{Sample, Sampler};
 use crate::source::Source;
-use crate::summary::{SceneSize, Seconds, Summary, Undecided};
+use crate::summary::{SceneSize, Seconds, Summary, Undecided, nothing_to_hit};
+use crate::target;
 
 /// Runs the command; `started` is when the program did.
 pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
@@ -25,8 +27,9 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     }
     let format = args.to.of_output(&args.output)?;
     let loading = Instant::now();
-    let scene = rayproof::scene::load(&args.scene)?.scene;
+    let LoadedScene { scene, sources, .. } = rayproof::scene::load(&args.scene)?;
     let load = loading.elapsed().as_secs_f64();
+    target::is_no_input(&args.output, sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
     let source = Source::open(&args.rays, args.invalid.into(), args.shard)?;
     let options = Options { precision: args.precision.into(), device: args.device.clone() };
     let engine = Intersector::new(&scene, &options)?;
@@ -60,7 +63,7 @@ struct Done<A> {
 impl Run<'_> {
     fn all<A: Answer>(&self, source: Source) -> Result<(), Failure> {
         let done = self.answer::<A>(source)?;
-        let checked = check(&self.scene, &done.samples, self.args.quiet);
+        let checked = check(&self.scene, &done.samples, self.args.precision, self.args.quiet);
         let summary = self.summary(&done, checked);
         if !self.args.quiet {
             say(format_args!("{summary}"));
@@ -133,7 +136,9 @@ impl Run<'_> {
             checked: checked.checked,
             within_promise: checked.within_promise,
             disagreed: checked.disagreed,
-            notes: device.notes.clone(),
+            correctly_rounded: checked.correctly_rounded,
+            worst_ulp: checked.worst_ulp,
+            notes: device.notes.iter().cloned().chain(nothing_to_hit(&self.scene, &self.args.scene)).collect(),
         }
     }
 }

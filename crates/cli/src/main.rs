@@ -16,6 +16,7 @@ mod parse;
 mod picture;
 mod pipeline;
 mod progress;
+mod quiet;
 mod random;
 mod rays;
 mod render;
@@ -23,12 +24,14 @@ mod sample;
 mod shade;
 mod source;
 mod summary;
+mod target;
 
 use std::process::ExitCode;
 
 use clap::Parser as _;
 
 fn main() -> ExitCode {
+    quiet::hush();
     let started = std::time::Instant::now();
     let cli = args::Cli::parse();
     interrupt::install();

@@ -1,5 +1,7 @@
 //! `rayproof rays`: files of rays that suit a scene.
 
+use std::path::PathBuf;
+
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use rayproof::scene::{Camera, Ray, RayWriter, Scene};
@@ -14,7 +16,8 @@ use crate::parse::Size;
 use crate::pipeline::BATCH;
 use crate::progress::Progress;
 use crate::random::Random;
-use crate::summary::grouped;
+use crate::summary::{grouped, nothing_to_hit};
+use crate::target;
 
 /// The picture that rays are made for where none is given.
 pub(crate) const SIZE: Size = Size { width: 1024, height: 1024 };
@@ -25,7 +28,12 @@ pub(crate) fn run(args: &Rays) -> Result<(), Failure> {
         let message = "--count: primary rays are those of a picture; give --size WxH";
         return Err(Failure::new(Code::Usage, message));
     }
+    args.to.of_output(&args.output)?;
     let loaded = rayproof::scene::load(&args.scene)?;
+    target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
+    if let Some(note) = nothing_to_hit(&loaded.scene, &args.scene).filter(|_| !args.quiet) {
+        say(format_args!("note    {note}"));
+    }
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
     let size = args.size.unwrap_or(SIZE);
     match args.kind {

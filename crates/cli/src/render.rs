@@ -1,5 +1,7 @@
 //! `rayproof render`: a picture of a scene, or of the error of every pixel.
 
+use std::path::PathBuf;
+
 use rayon::prelude::*;
 use rayproof::scene::{Camera, Hit, Ray, Scene};
 use rayproof::{Intersector, Options};
@@ -12,7 +14,7 @@ use crate::exit::{Code, Failure, say};
 use crate::picture::Picture;
 use crate::progress::Progress;
 use crate::rays::row_blocks;
-use crate::{legend, shade, summary};
+use crate::{legend, shade, summary, target};
 
 /// Runs the command.
 pub(crate) fn run(args: &Render) -> Result<(), Failure> {
@@ -21,14 +23,17 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
         let message = format!("--output: {}: a picture is a PNG; give a name that ends in .png", args.output.display());
         return Err(Failure::new(Code::Usage, message));
     }
+    target::has_folder(&args.output)?;
     let loaded = rayproof::scene::load(&args.scene)?;
+    target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
     let options = Options { precision: args.precision.into(), device: args.device.clone() };
     let engine = Intersector::new(&loaded.scene, &options)?;
     let view = View { args, scene: &loaded.scene, camera, engine };
     view.draw()?.save(&args.output)?;
     if !args.quiet {
-        say(format_args!("{}picture {}", summary::device_lines(view.engine.device()), args.output.display()));
+        let note = summary::nothing_to_hit(&loaded.scene, &args.scene);
+        say(format_args!("{}picture {}", summary::device_lines(view.engine.device(), note), args.output.display()));
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! What a run came to: a JSON object for scripts, a few lines for people.
 
 use std::fmt::{self, Write as _};
+use std::path::Path;
 
 use rayproof::DeviceInfo;
 use rayproof::scene::Scene;
@@ -24,6 +25,8 @@ pub(crate) struct Summary {
     pub(crate) checked: u64,
     pub(crate) within_promise: u64,
     pub(crate) disagreed: u64,
+    pub(crate) correctly_rounded: u64,
+    pub(crate) worst_ulp: Option<u64>,
     #[serde(skip)]
     pub(crate) notes: Vec<String>,
 }
@@ -75,13 +78,26 @@ impl fmt::Display for Summary {
         let rate = rate(self.rays_per_second);
         write!(f, "\ntime    {total:.2} s: load {load:.2}, build {build:.2}, trace {trace:.2} ({rate} rays/s)")?;
         if self.checked > 0 {
-            let [checked, within, wrong] = [self.checked, self.within_promise, self.disagreed].map(grouped);
-            write!(
-                f,
-                "\ncheck   {checked} rays against exact arithmetic: {wrong} disagree, {within} are not exact but within the promise"
-            )?;
+            self.check(f)?;
         }
         Ok(())
+    }
+}
+
+impl Summary {
+    /// What `--check` counted: the parts add up to the whole.
+    fn check(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let off = self.checked - self.correctly_rounded - self.within_promise - self.disagreed;
+        let [checked, right, off, within, wrong] =
+            [self.checked, self.correctly_rounded, off, self.within_promise, self.disagreed].map(grouped);
+        write!(f, "\ncheck   {checked} rays against exact arithmetic: {wrong} disagree\n        ")?;
+        let Some(worst) = self.worst_ulp else {
+            return write!(f, "{right} are exact\n        {within} differ within the promise");
+        };
+        let worst = grouped(worst);
+        write!(f, "{right} are exact: a miss, or the primitive with t correctly rounded\n        ")?;
+        write!(f, "{off} have the exact primitive and t off, by {worst} ULP at worst\n        ")?;
+        write!(f, "{within} differ within the promise")
     }
 }
 
@@ -100,8 +116,14 @@ impl fmt::Display for SceneSize {
 }
 
 /// The lines that say what ran.
-pub(crate) fn device_lines(info: &DeviceInfo) -> String {
-    device(&info.name, &info.driver, &info.notes)
+pub(crate) fn device_lines(info: &DeviceInfo, more: Option<String>) -> String {
+    let notes: Vec<String> = info.notes.iter().cloned().chain(more).collect();
+    device(&info.name, &info.driver, &notes)
+}
+
+/// What is to be said of a scene without primitives.
+pub(crate) fn nothing_to_hit(scene: &Scene, path: &Path) -> Option<String> {
+    scene.is_empty().then(|| format!("{}: the scene holds nothing to hit", path.display()))
 }
 
 fn device(name: &str, driver: &str, notes: &[String]) -> String {

@@ -58,3 +58,47 @@ fn as_many_rays_are_checked_as_asked_whether_their_number_is_known_or_not() {
         }
     }
 }
+
+#[test]
+fn the_summary_says_how_many_answers_are_exact_and_how_far_off_the_others_are() {
+    let folder = Folder::with_scene();
+    let line = "intersect scene.toml rays.csv -o hits.csv --device cpu --check 5 --json";
+    let ran =
+        folder.run(line).expect(0, &["0 disagree", "5 are exact: a miss, or", "0 have the exact", "0 ULP at worst"]);
+    let json = ran.json();
+    assert_eq!((&json["correctly_rounded"], &json["worst_ulp"]), (&5.into(), &0.into()));
+    let ran = folder.run(&format!("{line} --query any")).expect(0, &["5 are exact\n", "0 differ within the promise"]);
+    assert_eq!((&ran.json()["correctly_rounded"], &ran.json()["worst_ulp"]), (&5.into(), &serde_json::Value::Null));
+    // A sphere of radius 1e6 seen from 1 above: some digits of t are lost.
+    folder.write("ground.toml", "[[geometry]]\nspheres = [[0.0, -1e6, 0.0, 1e6]]\n");
+    let row = |i: usize| [0.0, 1.0, 0.0, i as f32 * 0.01, -1.0, 0.0];
+    folder.write("down.npy", npy_rays(&(0..100).map(row).collect::<Vec<_>>()));
+    let line = "intersect ground.toml down.npy -o hits.npy --device cpu --check 100 --json";
+    let ran = folder.run(line).expect(0, &["0 disagree"]);
+    let json = ran.json();
+    let [right, within, worst] =
+        ["correctly_rounded", "within_promise", "worst_ulp"].map(|k| json[k].as_u64().unwrap());
+    let off = 100 - right - within;
+    assert!(off > 0 && worst > 0, "{json}");
+    let said = format!("{off} have the exact primitive and t off, by {} ULP at worst", grouped(worst));
+    assert!(ran.stderr.contains(&said), "{said}\n{}", ran.stderr);
+}
+
+/// With commas between thousands, for numbers below a million.
+fn grouped(n: u64) -> String {
+    if n < 1000 { n.to_string() } else { format!("{},{:03}", n / 1000, n % 1000) }
+}
+
+#[test]
+fn classic_promises_nothing_so_that_every_lost_hit_is_a_disagreement() {
+    let folder = Folder::new();
+    folder.write("huge.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n");
+    let row = |i: usize| [1e29, 2e28 * (i as f32 + 1.0), 1e30, 0.0, 0.0, -1e30];
+    folder.write("rays.npy", npy_rays(&(0..10).map(row).collect::<Vec<_>>()));
+    let line = "intersect huge.obj rays.npy -o hits.npy --device cpu --precision classic --check 10 --json";
+    for query in ["closest", "any"] {
+        let ran = folder.run(&format!("{line} --query {query}")).expect(3, &["disagrees", "classic promises no other"]);
+        let json = ran.json();
+        assert_eq!((&json["hits"], &json["disagreed"], &json["within_promise"]), (&0.into(), &10.into(), &0.into()));
+    }
+}

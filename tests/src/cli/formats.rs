@@ -81,7 +81,7 @@ fn empty_is_not_bad() {
     let folder = Folder::with_scene();
     folder.write("none.npy", npy_rays(&[]));
     folder.write("none.csv", "ox,oy,oz,dx,dy,dz\n");
-    folder.write("void.toml", "");
+    folder.write("void.toml", "[[geometry]]\nspheres = []\n");
     folder.write("void.obj", "");
     for rays in ["none.npy", "none.csv"] {
         let ran = folder.run(&format!("intersect scene.toml {rays} -o hits.npy --json --check 5 --device cpu"));
@@ -92,10 +92,13 @@ fn empty_is_not_bad() {
         assert_eq!(folder.read("hits.csv"), b"hit\n");
     }
     for scene in ["void.toml", "void.obj"] {
-        folder.run(&format!("intersect {scene} rays.csv -o hits.csv --check 5 --device cpu")).expect(0, &["0 hit"]);
+        let note = format!("note    {scene}: the scene holds nothing to hit");
+        folder
+            .run(&format!("intersect {scene} rays.csv -o hits.csv --check 5 --device cpu"))
+            .expect(0, &["0 hit", &note]);
         assert_eq!(csv_hits(&folder.read("hits.csv")), [HITS[3]; 5]);
-        folder.run(&format!("render {scene} -o {scene}.png --size 8x8 --device cpu")).expect(0, &[]);
-        folder.run(&format!("rays {scene} -o r.npy --kind incoherent --count 10")).expect(0, &[]);
+        folder.run(&format!("render {scene} -o {scene}.png --size 8x8 --device cpu")).expect(0, &[&note]);
+        folder.run(&format!("rays {scene} -o r.npy --kind incoherent --count 10")).expect(0, &[&note]);
         folder.run(&format!("rays {scene} -o r.npy --kind diffuse --count 10")).expect(5, &["none of"]);
         folder.run(&format!("rays {scene} -o r.npy --kind diffuse --size 8x8")).expect(0, &[]);
     }

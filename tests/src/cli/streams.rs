@@ -58,6 +58,7 @@ fn json_is_one_object_on_stdout_with_the_names_of_the_contract() {
         keys(&json),
         [
             "checked",
+            "correctly_rounded",
             "device",
             "disagreed",
             "driver",
@@ -71,7 +72,8 @@ fn json_is_one_object_on_stdout_with_the_names_of_the_contract() {
             "scene",
             "seconds",
             "undecided",
-            "within_promise"
+            "within_promise",
+            "worst_ulp"
         ]
     );
     assert_eq!(keys(&json["scene"]), ["geometries", "spheres", "triangles"]);

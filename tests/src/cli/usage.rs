@@ -63,6 +63,28 @@ fn a_device_that_is_not_there_is_exit_code_4_and_the_others_are_listed() {
 }
 
 #[test]
+fn the_endings_offered_are_those_of_this_build_and_a_missing_folder_is_named() {
+    let folder = Folder::with_scene();
+    for line in ["intersect scene.toml rays.csv", "rays scene.toml"] {
+        let ran =
+            folder.run(&format!("{line} -o x.txt")).expect(2, &["x.txt", "give a name that ends in .npy or .csv"]);
+        assert!(!ran.stderr.contains("parquet"), "{}", ran.stderr);
+        let ran = folder.run(&format!("{line} -o absent/x.npy"));
+        ran.expect(1, &["absent/x.npy: the folder absent does not exist"]);
+    }
+    folder.run("render scene.toml -o absent/x.png").expect(1, &["absent/x.png: the folder absent does not exist"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn without_a_login_session_nothing_is_said_of_it() {
+    let folder = Folder::new();
+    let output = folder.command("devices").env_remove("XDG_RUNTIME_DIR").output().unwrap();
+    let ran = super::Ran::of("devices", output).expect(0, &[]);
+    assert_eq!(ran.stderr, "");
+}
+
+#[test]
 fn devices_are_listed_with_their_arithmetic() {
     let folder = Folder::new();
     let text = String::from_utf8(folder.run("devices").expect(0, &[]).stdout).unwrap();

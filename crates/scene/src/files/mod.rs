@@ -14,7 +14,7 @@ mod tests;
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::{Camera, Error, Geometry, Mesh, Scene};
 
@@ -25,6 +25,8 @@ pub struct LoadedScene {
     pub scene: Scene,
     /// The camera that a scene file names, if it does: valid for [`Camera::rays`].
     pub camera: Option<Camera>,
+    /// The file, then the meshes and tables of spheres that it names, in order.
+    pub sources: Vec<PathBuf>,
 }
 
 /// Reads a scene: a mesh (`.obj`, `.ply`, `.stl`, `.gltf`, `.glb`), which becomes geometry 0, or a scene file
@@ -42,7 +44,7 @@ pub fn load(path: &Path) -> Result<LoadedScene, Error> {
         return scene_file::load(path);
     }
     let mesh = load_mesh(path, "give a scene: .obj, .ply, .stl, .gltf, .glb or .toml")?;
-    Ok(LoadedScene { scene: Scene::new(vec![Geometry::Mesh(mesh)]), camera: None })
+    Ok(LoadedScene { scene: Scene::new(vec![Geometry::Mesh(mesh)]), camera: None, sources: vec![path.into()] })
 }
 
 /// Reads a mesh by the file's ending; `endings` says which would be right.

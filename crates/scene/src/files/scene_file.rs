@@ -49,10 +49,13 @@ pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
         Error::bad(&name, format!("line {line}"), e.message().trim_end(), expected)
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
+    let named =
+        file.geometry.iter().filter_map(|entry| entry.mesh.as_deref().or_else(|| entry.spheres.as_ref()?.as_str()));
+    let sources = std::iter::once(path.into()).chain(named.map(|name| folder.join(name))).collect();
     let entries = file.geometry.into_iter().enumerate();
     let geometries = entries.map(|(i, entry)| geometry(&name, folder, i, entry)).collect::<Result<_, _>>()?;
     let camera = file.camera.map(|view| camera(&name, &view)).transpose()?;
-    Ok(LoadedScene { scene: Scene::new(geometries), camera })
+    Ok(LoadedScene { scene: Scene::new(geometries), camera, sources })
 }
 
 fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometry, Error> {

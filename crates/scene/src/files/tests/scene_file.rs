@@ -60,10 +60,19 @@ fn a_mesh_alone_is_geometry_0_and_nothing_is_an_empty_scene() {
     let folder = folder("");
     let loaded = load(&folder.path().join("sub/tri.OBJ")).unwrap();
     assert_eq!((loaded.scene.geometries().len(), loaded.scene.len(), loaded.camera), (1, 1, None));
-    assert_eq!(
-        load(&folder.path().join("scene.toml")).unwrap(),
-        LoadedScene { scene: crate::Scene::new(vec![]), camera: None }
+    assert_eq!(loaded.sources, [folder.path().join("sub/tri.OBJ")]);
+    let sources = vec![folder.path().join("scene.toml")];
+    let loaded = load(&sources[0]).unwrap();
+    assert_eq!(loaded, LoadedScene { scene: crate::Scene::new(vec![]), camera: None, sources });
+}
+
+#[test]
+fn the_files_that_a_scene_was_read_from_are_listed() {
+    let folder = folder(
+        "[[geometry]]\nmesh = \"sub/tri.OBJ\"\n[[geometry]]\nspheres = []\n[[geometry]]\nspheres = \"beads.csv\"\n",
     );
+    let sources = load(&folder.path().join("scene.toml")).unwrap().sources;
+    assert_eq!(sources, ["scene.toml", "sub/tri.OBJ", "beads.csv"].map(|name| folder.path().join(name)));
 }
 
 #[test]
