@@ -43,7 +43,8 @@ pub struct Case {
     pub exact: Answer,
     /// The answer judged.
     pub answer: Answer,
-    /// How far the answer's point is from where it claims to lie, where it claims a hit: see [`residual`].
+    /// What is left of the primitive's equation at the point that the answer claims, in `f64`: `|f(p)| / r^2` of a sphere,
+    /// the distance to `a + u (b - a) + v (c - a)` of a triangle; `None` where it claims no hit.
     pub residual: Option<f64>,
 }
 
