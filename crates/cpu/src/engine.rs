@@ -1,6 +1,6 @@
 use rayon::prelude::*;
 use rayproof_scene::bvh::{Bvh, Tier};
-use rayproof_scene::{Hit, Ray};
+use rayproof_scene::{Hit, Ray, Sphere};
 
 use crate::batch::Params;
 use crate::bvh::slab::WideNode;
@@ -15,9 +15,11 @@ const TASK: usize = 4096;
 /// A tree ready to be walked, and the tier whose formulas run at its leaves.
 #[derive(Clone, Debug)]
 pub struct Engine {
-    bvh: Bvh,
     nodes: Vec<WideNode>,
     leaves: Vec<Triangles4>,
+    spheres: Vec<Sphere>,
+    sphere_ids: Vec<u32>,
+    stack_depth: usize,
     params: Params,
     tier: Tier,
 }
@@ -32,15 +34,14 @@ macro_rules! kernel {
 /// The three kernels of a tier, chosen by what the scene holds.
 macro_rules! tier {
     ($engine:expr, $ray:expr, $stack:expr, $any:expr, $tier:ident) => {{
-        let bvh = &$engine.bvh;
         let triangles =
             |ray: &_, word, hit| intersect_triangles(&$engine.leaves, ray, word, hit, $tier::intersect_triangle);
         let spheres = |ray: &_, word, hit| {
-            intersect_spheres(&bvh.spheres, &bvh.sphere_ids, ray, word, hit, $tier::intersect_sphere)
+            intersect_spheres(&$engine.spheres, &$engine.sphere_ids, ray, word, hit, $tier::intersect_sphere)
         };
-        if bvh.spheres.is_empty() {
+        if $engine.spheres.is_empty() {
             kernel!($engine, $ray, $stack, $any, $tier, triangles)
-        } else if bvh.triangles.is_empty() {
+        } else if $engine.leaves.is_empty() {
             kernel!($engine, $ray, $stack, $any, $tier, spheres)
         } else {
             kernel!($engine, $ray, $stack, $any, $tier, |ray: &_, word, hit| {
@@ -56,7 +57,9 @@ impl Engine {
     pub fn new(bvh: Bvh, tier: Tier) -> Self {
         let (leaves, nodes) = lanes(&bvh);
         let params = Params::new(&bvh);
-        Self { bvh, nodes, leaves, params, tier }
+        // The packed nodes and triangles end here: their decoded form is all that is walked.
+        let Bvh { spheres, sphere_ids, stack_depth, .. } = bvh;
+        Self { nodes, leaves, spheres, sphere_ids, stack_depth, params, tier }
     }
 
     /// The closest hit of each ray, in the rays' order.
@@ -91,7 +94,7 @@ impl Engine {
     fn batch<A: Send>(&self, rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray, &mut Stack) -> A + Sync) {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
         rays.par_chunks(TASK).zip(answers.par_chunks_mut(TASK)).for_each_init(
-            || stack(self.bvh.stack_depth),
+            || stack(self.stack_depth),
             |stack, (rays, answers)| {
                 wide::run(
                     #[inline(always)]

@@ -6,11 +6,11 @@ use std::sync::{Arc, Mutex};
 use rayproof_scene::bvh::{Bvh, Tier};
 use rayproof_scene::{Hit, Ray};
 
+use crate::Error;
 use crate::batch::Stream;
 use crate::gpu::Gpu;
 use crate::kernel::{Contents, Kernel, Query};
 use crate::pages::{Pages, check_bindings};
-use crate::{Error, Route};
 
 /// A tree on a device, ready to answer.
 pub struct Engine {
@@ -40,12 +40,6 @@ impl Engine {
         let scene = OnDevice::new(&gpu, bvh)?;
         gpu.check()?;
         Ok(Self { gpu, scene, tier, streams: Default::default() })
-    }
-
-    /// The device.
-    #[must_use]
-    pub fn gpu(&self) -> &Gpu {
-        &self.gpu
     }
 
     /// The closest hit of each ray, in the rays' order.
@@ -90,12 +84,6 @@ impl Engine {
             }
         };
         stream.run(&self.gpu, &self.scene, rays, take)
-    }
-
-    /// How kernels reach the driver.
-    #[must_use]
-    pub fn route(&self) -> Route {
-        self.gpu.route()
     }
 }
 

@@ -3,7 +3,7 @@
 //! Scenes times ray kinds times engines, interleaved in rounds so that drift hits all alike; medians with the spread, and
 //! each engine's ratio to the peer it is to beat, from the same rounds. Scenes are read from the folder that
 //! `RAYPROOF_SCENES` names (bunny.ply, dragon.ply, hall.ply); where one is not there a mesh of about its size is made.
-//! A FILTER keeps the rows whose text holds it, for example `bunny`, `primary` or `lavapipe`.
+//! A FILTER keeps the rows whose text holds it, for example `bunny`, `primary` or `cpu fast`; a ratio needs both its rows.
 #![expect(clippy::print_stdout, reason = "a program that prints a table")]
 
 mod engines;
@@ -19,7 +19,6 @@ const ROUNDS: usize = 7;
 
 fn main() -> anyhow::Result<()> {
     let filters: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
-    // A row's peer runs too, for the ratio.
     let keep = |text: &str| filters.iter().all(|f| text.contains(f.as_str()));
     println!(
         "{:<8} {:<11} {:<26} {:>9} {:>9} {:>9}  {:>6}",
