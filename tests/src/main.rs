@@ -4,6 +4,7 @@
 mod cli;
 mod conformance;
 mod device;
+mod exact;
 mod house;
 mod sample;
 mod scenes;

@@ -1,9 +1,9 @@
-//! The two questions that can be asked of a ray, and what goes with each.
+//! The three questions that can be asked of a ray, and what goes with each.
 
-use rayproof::scene::{self, Hit, HitKind, HitWriter, Ray, Scene};
+use rayproof::scene::{self, Hit, HitKind, HitWriter, Ray, Scene, Undecided};
 use rayproof::{Error, Intersector};
 use rayproof_oracle::Oracle;
-use rayproof_oracle::judge::{Verdict, judge_any, judge_closest};
+use rayproof_oracle::judge::{Verdict, judge_any, judge_closest, judge_count};
 
 /// An answer to one ray.
 pub(crate) trait Answer: Copy + Send + Sync + 'static {
@@ -14,8 +14,8 @@ pub(crate) trait Answer: Copy + Send + Sync + 'static {
     /// The answer to a ray that hits nothing.
     const MISS: Self;
 
-    /// Asks the engine.
-    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<(), Error>;
+    /// Asks the engine; returned is how many rays its tiers left open.
+    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error>;
     /// Appends answers to the file.
     fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), scene::Error>;
     /// Whether the ray hits anything.
@@ -29,7 +29,7 @@ impl Answer for Hit {
     const KIND: HitKind = HitKind::Closest;
     const MISS: Self = Self::MISS;
 
-    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<(), Error> {
+    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error> {
         engine.closest(rays, answers)
     }
 
@@ -52,7 +52,7 @@ impl Answer for u8 {
     const KIND: HitKind = HitKind::Any;
     const MISS: Self = 0;
 
-    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<(), Error> {
+    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error> {
         engine.any(rays, answers)
     }
 
@@ -66,5 +66,28 @@ impl Answer for u8 {
 
     fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict {
         judge_any(oracle, ray, *self)
+    }
+}
+
+/// The number of crossings.
+impl Answer for u32 {
+    const QUERY: &'static str = "count";
+    const KIND: HitKind = HitKind::Count;
+    const MISS: Self = 0;
+
+    fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error> {
+        engine.count(rays, answers)
+    }
+
+    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), scene::Error> {
+        writer.write_count(answers)
+    }
+
+    fn is_hit(&self) -> bool {
+        *self != 0
+    }
+
+    fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict {
+        judge_count(oracle, ray, *self)
     }
 }

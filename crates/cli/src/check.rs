@@ -31,7 +31,8 @@ pub(crate) struct Checked {
 
 /// Asks the oracle about every sample, in parallel, and prints the disagreements on stderr, the first few in full.
 ///
-/// The tier `classic` promises nothing: there an answer that only the promise of another tier allows is a disagreement.
+/// The tier `classic` promises nothing: there an answer that only the promise of another tier allows is a disagreement. The
+/// tier `exact` promises the exact answer, each number rounded to the nearest: there anything else is one.
 pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier, quiet: bool) -> Checked {
     if samples.is_empty() {
         return Checked::default();
@@ -44,6 +45,9 @@ pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier,
         for (sample, verdict) in chunk.iter().zip(verdicts) {
             checked.checked += 1;
             let fault = match verdict {
+                _ if tier == Tier::Exact && !verdict.is_nearest() => {
+                    format!("disagrees: it is not the exact answer, correctly rounded\n{verdict}")
+                }
                 Verdict::Exact(errors) => {
                     checked.correctly_rounded += u64::from(errors.t == 0);
                     if A::KIND == HitKind::Closest {

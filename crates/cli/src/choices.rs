@@ -17,6 +17,8 @@ pub(crate) enum Query {
     Closest,
     /// Whether it meets the scene at all
     Any,
+    /// How often it crosses the surface (precision exact only)
+    Count,
 }
 
 /// How hits are computed.
@@ -27,6 +29,8 @@ pub(crate) enum Tier {
     /// f32 in its best-conditioned form
     #[default]
     Fast,
+    /// The answer of exact arithmetic, its numbers rounded once
+    Exact,
 }
 
 impl From<Tier> for Precision {
@@ -34,6 +38,7 @@ impl From<Tier> for Precision {
         match tier {
             Tier::Classic => Self::Classic,
             Tier::Fast => Self::Fast,
+            Tier::Exact => Self::Exact,
         }
     }
 }
@@ -125,4 +130,6 @@ pub(crate) enum Show {
     /// The error of t in ULP, against exact arithmetic (slow): from dark violet (none) over green to yellow (a
     /// million and more), red where another primitive or none is right
     Error,
+    /// Which tier of the cascade decides the hit (precision exact only): blue in f32, orange in double width, red exactly
+    Tier,
 }

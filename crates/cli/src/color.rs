@@ -9,6 +9,8 @@ pub(crate) type Rgb = [u8; 3];
 pub(crate) const BACKGROUND: Rgb = [32, 32, 36];
 /// An answer that exact arithmetic contradicts.
 pub(crate) const WRONG: Rgb = [230, 30, 40];
+/// Decided in `f32`, in double width, exactly.
+pub(crate) const TIERS: [Rgb; 3] = [[38, 60, 96], [240, 160, 40], [230, 30, 40]];
 
 /// A scale from dark violet at 0 over green to yellow at 1.
 pub(crate) fn viridis(x: f64) -> Rgb {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use rayproof::scene::{Format, Hit, HitWriter, LoadedScene, Scene};
+use rayproof::scene::{self, Format, Hit, HitWriter, LoadedScene, Scene};
 use rayproof::{Intersector, Options};
 
 use crate::answer::Answer;
@@ -16,13 +16,17 @@ use crate::pipeline::{self, Traced};
 use crate::progress::Progress;
 use crate::sample::{Sample, Sampler};
 use crate::source::Source;
-use crate::summary::{SceneSize, Seconds, Summary, Undecided, nothing_to_hit};
+use crate::summary::{SceneSize, Seconds, Summary, nothing_to_hit};
 use crate::target;
 
 /// Runs the command; `started` is when the program did.
 pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     if args.json && args.output.as_os_str() == "-" {
         let message = "--json: the hits go to stdout already; give -o a file, or leave --json out";
+        return Err(Failure::new(Code::Usage, message));
+    }
+    if args.query == Query::Count && args.precision != Tier::Exact {
+        let message = "--query count: crossings are counted exactly or not at all; give --precision exact";
         return Err(Failure::new(Code::Usage, message));
     }
     let format = args.to.of_output(&args.output)?;
@@ -37,6 +41,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     match args.query {
         Query::Closest => run.all::<Hit>(source),
         Query::Any => run.all::<u8>(source),
+        Query::Count => run.all::<u32>(source),
     }
 }
 
@@ -57,6 +62,7 @@ struct Done<A> {
     hits: u64,
     invalid: u64,
     rounded: u64,
+    undecided: scene::Undecided,
     samples: Vec<Sample<A>>,
 }
 
@@ -85,12 +91,16 @@ impl Run<'_> {
         let mut writer = HitWriter::create(&self.args.output, Some(self.format), A::KIND, total)?;
         let mut sampler = Sampler::new(self.args.check, total);
         let mut hits = 0;
+        let mut undecided = scene::Undecided::default();
         let progress = Progress::new("tracing", total, self.args.quiet);
         let (source, traced) = pipeline::run(
             source,
             Source::next,
             A::MISS,
-            |rays, answers| Ok(A::trace(&self.engine, rays, answers)?),
+            |rays, answers| {
+                undecided += A::trace(&self.engine, rays, answers)?;
+                Ok(())
+            },
             |first, rays, answers| {
                 A::write(&mut writer, &self.scene, answers)?;
                 sampler.take(first, rays, answers);
@@ -102,21 +112,23 @@ impl Run<'_> {
         writer.finish()?;
         drop((writing, progress));
         let (invalid, rounded) = source.tally();
-        Ok(Done { traced, hits, invalid, rounded, samples: sampler.finish() })
+        Ok(Done { traced, hits, invalid, rounded, undecided, samples: sampler.finish() })
     }
 
     fn summary<A: Answer>(&self, done: &Done<A>, checked: Checked) -> Summary {
         let device = self.engine.device();
-        let (rays, trace) = (done.traced.rays, done.traced.seconds);
-        let resolve = 0.0;
+        let (rays, seconds) = (done.traced.rays, done.traced.seconds);
+        let resolve = self.engine.resolve_seconds().min(seconds);
+        let trace = seconds - resolve;
         #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
-        let rays_per_second = if rays > 0 { rays as f64 / (trace + resolve).max(1e-9) } else { 0.0 };
+        let rays_per_second = if rays > 0 { rays as f64 / seconds.max(1e-9) } else { 0.0 };
         Summary {
             device: device.name.clone(),
             driver: device.driver.clone(),
             precision: match self.args.precision {
                 Tier::Classic => "classic",
                 Tier::Fast => "fast",
+                Tier::Exact => "exact",
             },
             query: A::QUERY,
             scene: SceneSize::of(&self.scene),
@@ -124,7 +136,7 @@ impl Run<'_> {
             hits: done.hits,
             invalid_rays: done.invalid,
             rounded_values: done.rounded,
-            undecided: Undecided::default(),
+            undecided: done.undecided.into(),
             seconds: Seconds {
                 load: self.load,
                 build: self.engine.build_seconds(),

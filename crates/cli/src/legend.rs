@@ -1,8 +1,8 @@
-//! The scale of an error picture, drawn into its lower left corner.
+//! The scale of an error picture and the colours of one of tiers, drawn into the lower left corner.
 
 use font8x8::{BASIC_FONTS, UnicodeFonts as _};
 
-use crate::color::{BACKGROUND, Rgb, WRONG, viridis};
+use crate::color::{BACKGROUND, Rgb, TIERS, WRONG, viridis};
 use crate::picture::Picture;
 
 /// The ends of the decades: none, 1, and on to a million ULP.
@@ -42,6 +42,20 @@ pub(crate) fn draw(picture: &mut Picture) {
     text(picture, (left + 14, top + 35), "wrong answer");
     fill(picture, (left + 128, top + 34), (10, 10), BACKGROUND);
     text(picture, (left + 142, top + 35), "miss");
+}
+
+/// Draws what the colours of tiers stand for.
+pub(crate) fn draw_tiers(picture: &mut Picture) {
+    if picture.size.width < WIDTH || picture.size.height < 4 * HEIGHT {
+        return;
+    }
+    let top = picture.size.height - HEIGHT / 2;
+    fill(picture, (0, top), (WIDTH, HEIGHT / 2), PANEL);
+    let labels = ["f32", "double width", "exact"];
+    for ((color, label), x) in TIERS.into_iter().zip(labels).zip([8, 88, 232]) {
+        fill(picture, (x, top + 7), (10, 10), color);
+        text(picture, (x + 14, top + 8), label);
+    }
 }
 
 fn fill(picture: &mut Picture, (x, y): (u32, u32), (width, height): (u32, u32), color: Rgb) {

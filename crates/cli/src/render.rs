@@ -8,7 +8,7 @@ use rayproof::{Intersector, Options};
 use rayproof_oracle::Oracle;
 
 use crate::args::Render;
-use crate::choices::Show;
+use crate::choices::{Show, Tier};
 use crate::color::Rgb;
 use crate::exit::{Code, Failure, say};
 use crate::picture::Picture;
@@ -21,6 +21,10 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
     let png = args.output.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"));
     if !png && args.output.as_os_str() != "-" {
         let message = format!("--output: {}: a picture is a PNG; give a name that ends in .png", args.output.display());
+        return Err(Failure::new(Code::Usage, message));
+    }
+    if args.show == Show::Tier && args.precision != Tier::Exact {
+        let message = "--show tier: only the tier exact is a cascade of tiers; give --precision exact";
         return Err(Failure::new(Code::Usage, message));
     }
     target::has_folder(&args.output)?;
@@ -59,6 +63,17 @@ impl View<'_> {
                 self.shade(&mut picture, |ray, hit| shade::by_error(&oracle, ray, hit))?;
                 legend::draw(&mut picture);
             }
+            Show::Tier => {
+                let mut tiers = Vec::new();
+                self.each_block(|rays| {
+                    tiers.clear();
+                    tiers.resize(rays.len(), 0);
+                    self.engine.deciding_tiers(rays, &mut tiers)?;
+                    picture.push(tiers.iter().map(|&tier| shade::by_tier(tier)));
+                    Ok(())
+                })?;
+                legend::draw_tiers(&mut picture);
+            }
             Show::Depth => {
                 let mut distances = Vec::new();
                 self.trace(|_, hits| distances.extend(hits.iter().map(|hit| hit.t)))?;
@@ -78,17 +93,25 @@ impl View<'_> {
 
     /// Calls `f` with the rays of each block of rows and their hits.
     fn trace(&self, mut f: impl FnMut(&[Ray], &[Hit])) -> Result<(), Failure> {
+        let mut hits = Vec::new();
+        self.each_block(|rays| {
+            hits.clear();
+            hits.resize(rays.len(), Hit::MISS);
+            self.engine.closest(rays, &mut hits)?;
+            f(rays, &hits);
+            Ok(())
+        })
+    }
+
+    /// Calls `f` with the rays of each block of rows.
+    fn each_block(&self, mut f: impl FnMut(&[Ray]) -> Result<(), Failure>) -> Result<(), Failure> {
         let size = self.args.size;
         // The oracle is slow: small blocks, so that the bar moves.
         let block = if self.args.show == Show::Error { 1 << 11 } else { crate::pipeline::BATCH };
         let progress = Progress::new("rendering", Some(size.pixels()), self.args.quiet);
-        let mut hits = Vec::new();
         for rows in row_blocks(size, block) {
             let rays: Vec<Ray> = self.camera.rays(size.width, size.height, rows).collect();
-            hits.clear();
-            hits.resize(rays.len(), Hit::MISS);
-            self.engine.closest(&rays, &mut hits)?;
-            f(&rays, &hits);
+            f(&rays)?;
             progress.add(rays.len());
         }
         Ok(())

@@ -41,6 +41,11 @@ pub(crate) fn by_error(oracle: &Oracle, ray: &Ray, hit: &Hit) -> Rgb {
     }
 }
 
+/// Which tier of the cascade decided: 1 to 3.
+pub(crate) fn by_tier(tier: u8) -> Rgb {
+    color::TIERS[usize::from(tier.clamp(1, 3)) - 1]
+}
+
 /// The distances of a whole picture: the nearest is yellow, the farthest dark blue, and a miss is background.
 pub(crate) fn by_depth(distances: &[f32]) -> impl Iterator<Item = Rgb> + '_ {
     let hits = || distances.iter().copied().filter(|t| t.is_finite()).map(f64::from);

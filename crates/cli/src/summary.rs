@@ -4,7 +4,7 @@ use std::fmt::{self, Write as _};
 use std::path::Path;
 
 use rayproof::DeviceInfo;
-use rayproof::scene::Scene;
+use rayproof::scene::{self, Scene};
 use serde::Serialize;
 
 /// The object that `--json` prints. Its names are a contract.
@@ -45,12 +45,18 @@ impl SceneSize {
     }
 }
 
-/// Rays that the first tier left open. The tiers in `f32` decide every ray, so all are 0.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+/// How many rays each tier of the cascade left open; all 0 in the tiers of single precision.
+#[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Undecided {
     pub(crate) first_tier: u64,
     pub(crate) after_refine: u64,
     pub(crate) resolved_on_cpu: u64,
+}
+
+impl From<scene::Undecided> for Undecided {
+    fn from(scene::Undecided { first_tier, after_refine, resolved_on_cpu }: scene::Undecided) -> Self {
+        Self { first_tier, after_refine, resolved_on_cpu }
+    }
 }
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -74,9 +80,18 @@ impl fmt::Display for Summary {
         if self.rounded_values > 0 {
             write!(f, ", {} values rounded from float64 to float32", grouped(self.rounded_values))?;
         }
-        let Seconds { load, build, trace, total, .. } = self.seconds;
+        if self.precision == "exact" {
+            let Undecided { first_tier, after_refine, resolved_on_cpu } = self.undecided;
+            let [open, left, last] = [first_tier, after_refine, resolved_on_cpu].map(grouped);
+            write!(f, "\nopen    {open} after f32, {left} after double width; exact arithmetic ran for {last}")?;
+        }
+        let Seconds { load, build, trace, resolve, total } = self.seconds;
         let rate = rate(self.rays_per_second);
-        write!(f, "\ntime    {total:.2} s: load {load:.2}, build {build:.2}, trace {trace:.2} ({rate} rays/s)")?;
+        write!(f, "\ntime    {total:.2} s: load {load:.2}, build {build:.2}, trace {trace:.2}")?;
+        if resolve > 0.0 {
+            write!(f, ", resolve {resolve:.2}")?;
+        }
+        write!(f, " ({rate} rays/s)")?;
         if self.checked > 0 {
             self.check(f)?;
         }

@@ -1,17 +1,23 @@
 //! Twin of `shaders/batch.wgsl`.
 
 use rayproof_scene::bvh::Bvh;
+use rayproof_scene::{Hit, MISS};
+
+use crate::bvh::traverse::{Found, TierRay};
+use crate::math::{scale_by_power, without_sign};
 
 /// What every ray of a batch shares.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Params {
     pub(crate) scene_exponent: i32,
     pub(crate) scene_size: f32,
+    /// Whether the tier `exact` has bounds for this scene in `f32`.
+    pub(crate) plain: bool,
 }
 
 impl Params {
     pub(crate) const fn new(bvh: &Bvh) -> Self {
-        Self { scene_exponent: bvh.scale_exponent, scene_size: bvh.size }
+        Self { scene_exponent: bvh.scale_exponent, scene_size: bvh.size, plain: bvh.plain }
     }
 }
 
@@ -26,9 +32,9 @@ pub(crate) struct Candidate {
 
 pub(crate) const NO_HIT: Candidate = Candidate { hit: false, t: 0.0, u: 0.0, v: 0.0 };
 
-/// A ray as a tier's formulas take it.
+/// A ray as the formulas of the tiers in single precision take it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct TierRay {
+pub(crate) struct SingleRay {
     pub(crate) origin: glam::Vec3A,
     pub(crate) direction: glam::Vec3A,
     pub(crate) t_min: f32,
@@ -37,4 +43,52 @@ pub(crate) struct TierRay {
     pub(crate) box_exponent: i32,
     /// What is returned: `t 2^out_exponent`.
     pub(crate) out_exponent: i32,
+}
+
+impl TierRay for SingleRay {
+    #[inline(always)]
+    fn origin(&self) -> glam::Vec3A {
+        self.origin
+    }
+    #[inline(always)]
+    fn t_min(&self) -> f32 {
+        self.t_min
+    }
+    #[inline(always)]
+    fn box_exponent(&self) -> i32 {
+        self.box_exponent
+    }
+}
+
+/// The closest hit so far, or the first found where `ANY`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Nearest<const ANY: bool>(pub(crate) Hit);
+
+impl<const ANY: bool> Nearest<ANY> {
+    #[inline(always)]
+    pub(crate) fn start(ray: &SingleRay) -> Self {
+        Self(Hit { t: ray.t_max, u: 0.0, v: 0.0, primitive: MISS })
+    }
+
+    /// The hit as it is returned.
+    #[inline(always)]
+    pub(crate) fn hit(self, ray: &SingleRay) -> Hit {
+        let Hit { t, u, v, primitive } = self.0;
+        if primitive == MISS {
+            return Hit::MISS;
+        }
+        let t = scale_by_power(t, ray.out_exponent);
+        Hit { t: without_sign(t), u: without_sign(u), v: without_sign(v), primitive }
+    }
+}
+
+impl<const ANY: bool> Found for Nearest<ANY> {
+    #[inline(always)]
+    fn reach(&self) -> f32 {
+        self.0.t
+    }
+    #[inline(always)]
+    fn finished(&self) -> bool {
+        ANY && self.0.primitive != MISS
+    }
 }

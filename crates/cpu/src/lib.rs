@@ -3,7 +3,7 @@
 //! A twin has its kernel's path and names and does the same operations in the same order, so that its answers equal the
 //! device's in every bit wherever the device's arithmetic is IEEE. The derivations stand in the WGSL headers.
 //!
-//! [`Engine`] holds a scene's tree; [`Engine::closest`] and [`Engine::any`] answer batches of rays.
+//! [`Engine`] holds a scene's tree; [`Engine::closest`], [`Engine::any`] and [`Engine::count`] answer batches of rays.
 //!
 //! ```
 //! use glam::Vec3;
@@ -24,10 +24,13 @@ mod batch;
 mod bvh;
 mod classic;
 mod engine;
+mod exact;
 mod fast;
 mod lanes;
 mod leaf;
 mod math;
+mod number;
+mod primitives;
 mod wide;
 
 pub use engine::Engine;

@@ -89,20 +89,20 @@ impl Kernel {
         }
         match self.tier {
             Tier::Classic => shaders!(linked, "classic/ray.wgsl"),
-            Tier::Fast => shaders!(linked, "fast/ray.wgsl"),
+            Tier::Fast | Tier::Exact => shaders!(linked, "fast/ray.wgsl"),
         }
         if self.contents.triangles() {
             shaders!(linked, "leaf/triangles.wgsl");
             match self.tier {
                 Tier::Classic => shaders!(linked, "classic/triangle.wgsl"),
-                Tier::Fast => shaders!(linked, "fast/triangle.wgsl"),
+                Tier::Fast | Tier::Exact => shaders!(linked, "fast/triangle.wgsl"),
             }
         }
         if self.contents.spheres() {
             shaders!(linked, "leaf/spheres.wgsl");
             match self.tier {
                 Tier::Classic => shaders!(linked, "classic/sphere.wgsl"),
-                Tier::Fast => shaders!(linked, "fast/sphere.wgsl"),
+                Tier::Fast | Tier::Exact => shaders!(linked, "fast/sphere.wgsl"),
             }
         }
         match self.contents {

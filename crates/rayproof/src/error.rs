@@ -9,6 +9,9 @@ pub enum Error {
     /// The device failed, or cannot hold the scene.
     #[error("{0}")]
     Device(#[source] rayproof_gpu::Error),
+    /// A question that only the tier `exact` answers.
+    #[error("only the precision exact answers this")]
+    NotExact,
     /// More primitives than a tree can number.
     #[error(transparent)]
     TooLarge(#[from] TooLarge),

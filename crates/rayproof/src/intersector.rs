@@ -2,15 +2,16 @@ use std::time::Instant;
 
 use rayproof_gpu::{Gpu, Selector};
 use rayproof_scene::bvh::Bvh;
-use rayproof_scene::{Hit, Ray, Scene};
+use rayproof_scene::{Hit, Ray, Scene, Undecided};
 
-use crate::{DeviceInfo, Error, Options};
+use crate::{DeviceInfo, Error, Options, Precision};
 
 /// A scene made ready on a device.
 pub struct Intersector {
     engine: Engine,
     info: DeviceInfo,
     build_seconds: f64,
+    precision: Precision,
 }
 
 enum Engine {
@@ -30,6 +31,7 @@ impl Intersector {
         let start = Instant::now();
         let bvh = Bvh::new(scene, tier.scaling())?;
         let build_seconds = start.elapsed().as_secs_f64();
+        let gpu = gpu.filter(|_| tier != Precision::Exact); // Its kernels are still to come.
         let (engine, info) = match gpu {
             Some(gpu) => {
                 let info = describe(&gpu);
@@ -37,7 +39,7 @@ impl Intersector {
             }
             None => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, tier))), cpu_info(note)),
         };
-        Ok(Self { engine, info, build_seconds })
+        Ok(Self { engine, info, build_seconds, precision: tier })
     }
 
     /// The device that answers.
@@ -52,19 +54,19 @@ impl Intersector {
         self.build_seconds
     }
 
-    /// The closest hit of each ray, any number of them, in the rays' order.
+    /// The closest hit of each ray, any number of them, in the rays' order; returned is how many rays the tier `exact` left
+    /// open on its way.
     ///
     /// # Errors
     /// When the device fails.
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
-    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), Error> {
+    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error> {
         match &self.engine {
-            Engine::Cpu(engine) => engine.closest(rays, hits),
-            Engine::Gpu(engine) => engine.closest(rays, hits)?,
+            Engine::Cpu(engine) => Ok(engine.closest(rays, hits)),
+            Engine::Gpu(engine) => Ok(engine.closest(rays, hits).map(|()| Undecided::default())?),
         }
-        Ok(())
     }
 
     /// Whether each ray hits anything: 1 or 0.
@@ -74,12 +76,53 @@ impl Intersector {
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
-    pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<(), Error> {
+    pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<Undecided, Error> {
         match &self.engine {
-            Engine::Cpu(engine) => engine.any(rays, hits),
-            Engine::Gpu(engine) => engine.any(rays, hits)?,
+            Engine::Cpu(engine) => Ok(engine.any(rays, hits)),
+            Engine::Gpu(engine) => Ok(engine.any(rays, hits).map(|()| Undecided::default())?),
+        }
+    }
+
+    /// How often each ray crosses the surface: through a shared edge or vertex of a closed mesh once, at a tangent of a sphere
+    /// twice. Only the tier `exact` counts.
+    ///
+    /// # Errors
+    /// When the device fails, or [`Error::NotExact`].
+    ///
+    /// # Panics
+    /// When `rays` and `counts` differ in length.
+    pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Result<Undecided, Error> {
+        self.check_exact()?;
+        match &self.engine {
+            Engine::Cpu(engine) => Ok(engine.count(rays, counts)),
+            Engine::Gpu(_) => unreachable!(),
+        }
+    }
+
+    /// Which tier of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in double width, 3 exact arithmetic.
+    ///
+    /// # Errors
+    /// When the device fails, or [`Error::NotExact`].
+    ///
+    /// # Panics
+    /// When `rays` and `tiers` differ in length.
+    pub fn deciding_tiers(&self, rays: &[Ray], tiers: &mut [u8]) -> Result<(), Error> {
+        self.check_exact()?;
+        match &self.engine {
+            Engine::Cpu(engine) => engine.deciding_tiers(rays, tiers),
+            Engine::Gpu(_) => unreachable!(),
         }
         Ok(())
+    }
+
+    /// Seconds so far for which a device waited for exact arithmetic on the CPU; the CPU engine's own are part of its tracing.
+    #[must_use]
+    pub fn resolve_seconds(&self) -> f64 {
+        0.0
+    }
+
+    fn check_exact(&self) -> Result<(), Error> {
+        if self.precision == Precision::Exact { Ok(()) } else { Err(Error::NotExact) }
     }
 }
 

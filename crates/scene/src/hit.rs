@@ -33,3 +33,31 @@ impl Hit {
         bytemuck::bytes_of(self) == bytemuck::bytes_of(other)
     }
 }
+
+/// How many rays each tier of the cascade `exact` left open; all 0 in the other tiers, which leave nothing open.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Undecided {
+    /// Rays whose answer the certificates in `f32` did not settle.
+    pub first_tier: u64,
+    /// Rays of which double width left something open: the answer, or how a number rounds.
+    pub after_refine: u64,
+    /// Rays for which exact arithmetic ran, on the CPU.
+    pub resolved_on_cpu: u64,
+}
+
+impl std::ops::AddAssign for Undecided {
+    fn add_assign(&mut self, other: Self) {
+        self.first_tier += other.first_tier;
+        self.after_refine += other.after_refine;
+        self.resolved_on_cpu += other.resolved_on_cpu;
+    }
+}
+
+impl std::iter::Sum for Undecided {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        all.fold(Self::default(), |mut sum, one| {
+            sum += one;
+            sum
+        })
+    }
+}

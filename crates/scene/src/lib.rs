@@ -36,7 +36,7 @@ pub use batch::{Format, HitKind, HitWriter, INVALID_RAY, InvalidRays, RayReader,
 pub use camera::Camera;
 pub use error::{BadInput, Error};
 pub use files::{LoadedScene, load};
-pub use hit::{Hit, MISS};
+pub use hit::{Hit, MISS, Undecided};
 pub use ray::{Ray, RayFault};
 pub use scene::{Geometry, Mesh, Primitive, Scene};
 pub use sphere::Sphere;

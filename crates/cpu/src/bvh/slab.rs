@@ -49,6 +49,12 @@ impl WideNode {
         self.planes[6].as_ref()[k & 3].to_bits()
     }
 
+    /// The box of child `k`.
+    #[inline(always)]
+    pub(crate) fn child_box(&self, k: usize) -> [[f32; 3]; 2] {
+        [0, 1].map(|side| [0, 1, 2].map(|axis| self.planes[2 * axis + side][k]))
+    }
+
     pub(crate) fn children(&self) -> [u32; 4] {
         self.planes[6].to_array().map(f32::to_bits)
     }

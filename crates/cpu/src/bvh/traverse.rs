@@ -1,10 +1,10 @@
 //! Twin of `shaders/bvh/traverse.wgsl`.
 
-use rayproof_scene::{Hit, MISS, Ray};
+use glam::Vec3A;
 
-use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, WideNode, box_ray, child_keys, unit_direction};
-use crate::batch::{Params, TierRay};
-use crate::math::{scale_by_power, without_sign};
+use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, WideNode, box_ray, child_keys};
+use crate::batch::Params;
+use crate::math::scale_by_power;
 
 const LEAF: u32 = 1 << 31;
 const DONE: u32 = u32::MAX;
@@ -17,21 +17,37 @@ pub(crate) fn stack(depth: usize) -> Stack {
     vec![(0.0, 0); depth + 4]
 }
 
-/// Walks the tree with one ray; `tier_ray` and `intersect_leaf` are the tier's.
+/// What a walk needs of a tier's ray.
+pub(crate) trait TierRay {
+    fn origin(&self) -> Vec3A;
+    fn t_min(&self) -> f32;
+    /// Box units: `s = t 2^box_exponent`.
+    fn box_exponent(&self) -> i32;
+}
+
+/// What a walk has found so far.
+pub(crate) trait Found: Copy {
+    /// Beyond this `t` nothing more is of interest.
+    fn reach(&self) -> f32;
+    /// Whether nothing more is of interest at all.
+    fn finished(&self) -> bool;
+}
+
+/// Walks the tree with one ray; `intersect_leaf` is the tier's.
 #[inline(always)]
-pub(crate) fn traverse<const ANY_HIT: bool>(
+pub(crate) fn traverse<R: TierRay, F: Found>(
     params: &Params,
     nodes: &[WideNode],
     stack: &mut Stack,
-    given: &Ray,
-    tier_ray: impl Fn(&Params, &Ray, &UnitDirection) -> TierRay,
-    intersect_leaf: impl Fn(&TierRay, u32, Hit) -> Hit,
-) -> Hit {
-    let unit = unit_direction(given.direction);
-    let ray = tier_ray(params, given, &unit);
-    let boxes = box_ray(params, ray.origin, unit.direction, scale_by_power(ray.t_min, ray.box_exponent));
-    let mut hit = Hit { t: ray.t_max, u: 0.0, v: 0.0, primitive: MISS };
-    let mut s_max = scale_by_power(ray.t_max, ray.box_exponent).min(FARTHEST);
+    unit: &UnitDirection,
+    ray: &R,
+    start: F,
+    intersect_leaf: impl Fn(&R, u32, F) -> F,
+) -> F {
+    let n = ray.box_exponent();
+    let boxes = box_ray(params, ray.origin(), unit.direction, scale_by_power(ray.t_min(), n));
+    let mut found = start;
+    let mut s_max = scale_by_power(found.reach(), n).min(FARTHEST);
 
     stack[0] = (-FARTHEST, DONE);
     let mut top = 1;
@@ -43,15 +59,14 @@ pub(crate) fn traverse<const ANY_HIT: bool>(
         if current == DONE {
             break;
         }
-        hit = intersect_leaf(&ray, current, hit);
-        if ANY_HIT && hit.primitive != MISS {
+        found = intersect_leaf(ray, current, found);
+        if found.finished() {
             break;
         }
-        s_max = scale_by_power(hit.t, ray.box_exponent).min(FARTHEST);
+        s_max = scale_by_power(found.reach(), n).min(FARTHEST);
         current = pop(stack, &mut top, s_max);
     }
-    let t = scale_by_power(hit.t, ray.out_exponent);
-    Hit { t: without_sign(t), u: without_sign(hit.u), v: without_sign(hit.v), primitive: hit.primitive }
+    found
 }
 
 /// The nearest child that is met, the others kept; where none is, the next entry kept.

@@ -2,15 +2,15 @@
 
 use rayproof_scene::Ray;
 
-use crate::batch::{Params, TierRay};
+use crate::batch::{Params, SingleRay};
 use crate::bvh::slab::UnitDirection;
 use crate::math::{scale_high_end, scale_low_end, scale_point};
 
 #[inline(always)]
-pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> TierRay {
+pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> SingleRay {
     let n = params.scene_exponent;
     let origin = scale_point(ray.origin.into(), n);
-    TierRay {
+    SingleRay {
         origin,
         direction: ray.direction.into(),
         t_min: scale_low_end(ray.t_min, n),

@@ -3,11 +3,11 @@
 use glam::Vec3A;
 use rayproof_scene::Sphere;
 
-use crate::batch::{Candidate, NO_HIT, TierRay};
+use crate::batch::{Candidate, NO_HIT, SingleRay};
 use crate::math::dot3;
 
 #[inline(always)]
-pub(crate) fn intersect_sphere(ray: &TierRay, &Sphere { center, radius }: &Sphere) -> Candidate {
+pub(crate) fn intersect_sphere(ray: &SingleRay, &Sphere { center, radius }: &Sphere) -> Candidate {
     let o = ray.origin - Vec3A::from(center);
     let a = dot3(ray.direction, ray.direction);
     let b = 2.0 * dot3(ray.direction, o);

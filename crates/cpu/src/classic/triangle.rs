@@ -2,15 +2,17 @@
 
 use glam::Vec4;
 
-use crate::batch::TierRay;
-use crate::lanes::{Candidates, NO_HITS, Triangles4, Vec3x4, cross3, dot3};
+use crate::batch::SingleRay;
+use crate::lanes::{Candidates, Corners, NO_HITS, Triangles4, splat};
+use crate::number::{cross3, dot3};
 
 #[inline(always)]
-pub(crate) fn intersect_triangle(ray: &TierRay, &Triangles4 { a, b, c, .. }: &Triangles4) -> Candidates {
-    let direction = Vec3x4::splat(ray.direction);
+pub(crate) fn intersect_triangle(ray: &SingleRay, triangles: &Triangles4) -> Candidates {
+    let Corners { a, b, c, .. } = triangles.corners;
+    let direction = splat(ray.direction);
     let e1 = b - a;
     let e2 = c - a;
-    let s = Vec3x4::splat(ray.origin) - a;
+    let s = splat(ray.origin) - a;
     let p = cross3(e2, e1);
     let determinant = dot3(direction, p);
     let m = cross3(direction, s);

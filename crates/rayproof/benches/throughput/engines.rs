@@ -7,10 +7,10 @@ use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::ray::RayHit;
 use obvhs::triangle::Triangle as PeerTriangle;
 use rayon::prelude::*;
-use rayproof::scene::{Geometry, Hit, Ray, Scene};
+use rayproof::scene::{Geometry, Hit, Ray, Scene, Undecided};
 use rayproof::{DeviceChoice, Intersector, Options, Precision};
 
-type Trace = Box<dyn Fn(&[Ray]) -> anyhow::Result<()>>;
+type Trace = Box<dyn Fn(&[Ray]) -> anyhow::Result<Undecided>>;
 
 /// An engine with a scene in it.
 pub(crate) struct Contestant {
@@ -24,12 +24,14 @@ pub(crate) struct Contestant {
 
 type Make = fn(&Scene) -> anyhow::Result<Contestant>;
 
-pub(crate) const ALL: [(&str, Make); 6] = [
+pub(crate) const ALL: [(&str, Make); 8] = [
     ("obvhs Bvh2", obvhs_bvh2),
     ("cpu fast", |scene| ours(scene, "cpu fast", DeviceChoice::Cpu, Precision::Fast, Some("obvhs Bvh2"))),
+    ("cpu exact", |scene| ours(scene, "cpu exact", DeviceChoice::Cpu, Precision::Exact, Some("cpu fast"))),
     ("cpu classic", |scene| ours(scene, "cpu classic", DeviceChoice::Cpu, Precision::Classic, Some("cpu fast"))),
     (crate::plain::NAME, crate::plain::kernel),
     ("gpu fast", |scene| ours(scene, "gpu fast", DeviceChoice::Gpu, Precision::Fast, Some("plain kernel on gpu"))),
+    ("gpu exact", |scene| ours(scene, "gpu exact", DeviceChoice::Gpu, Precision::Exact, Some("gpu fast"))),
     ("gpu classic", |scene| ours(scene, "gpu classic", DeviceChoice::Gpu, Precision::Classic, Some("gpu fast"))),
 ];
 
@@ -77,7 +79,7 @@ fn obvhs_bvh2(scene: &Scene) -> anyhow::Result<Contestant> {
             })
             .collect();
         anyhow::ensure!(hits.len() == rays.len());
-        Ok(())
+        Ok(Undecided::default())
     };
     Ok(Contestant { name: "obvhs Bvh2", detail: "its own".to_owned(), seconds, peer: None, trace: Box::new(trace) })
 }

@@ -14,6 +14,7 @@ mod scenes;
 use std::time::Instant;
 
 use engines::Contestant;
+use rayproof::scene::Undecided;
 
 const ROUNDS: usize = 7;
 
@@ -22,7 +23,7 @@ fn main() -> anyhow::Result<()> {
     let keep = |text: &str| filters.iter().all(|f| text.contains(f.as_str()));
     println!(
         "{:<8} {:<11} {:<26} {:>9} {:>9} {:>9}  {:>6}",
-        "scene", "rays", "engine", "M rays/s", "p5", "p95", "ratio"
+        "scene", "rays", "engine", "M rays/s", "p5", "p95", "ratio; rays left open by f32, and by double width"
     );
     for (name, scene) in scenes::all()? {
         let mut contestants: Vec<Contestant> = Vec::new();
@@ -50,12 +51,22 @@ fn main() -> anyhow::Result<()> {
     Ok(())
 }
 
+/// The shares of the rays that the tiers of a cascade left open; nothing where there is none.
+fn share(open: &Undecided, rays: usize) -> String {
+    if *open == Undecided::default() {
+        return String::new();
+    }
+    let of_all = |n: u64| n as f64 / rays as f64;
+    format!("; {:.3}% and {:.1e}", 100.0 * of_all(open.first_tier), of_all(open.after_refine))
+}
+
 fn measure(scene: &str, kind: &str, rays: &[rayproof::scene::Ray], chosen: &[&Contestant]) -> anyhow::Result<()> {
     let mut rates = vec![Vec::new(); chosen.len()];
+    let mut open = vec![Undecided::default(); chosen.len()];
     for round in 0..=ROUNDS {
-        for (contestant, rates) in chosen.iter().zip(&mut rates) {
+        for ((contestant, rates), open) in chosen.iter().zip(&mut rates).zip(&mut open) {
             let start = Instant::now();
-            (contestant.trace)(rays)?;
+            *open = (contestant.trace)(rays)?;
             // The first round warms up caches and compiles kernels.
             if round > 0 {
                 rates.push(rays.len() as f64 / start.elapsed().as_secs_f64() / 1e6);
@@ -70,19 +81,20 @@ fn measure(scene: &str, kind: &str, rays: &[rayproof::scene::Ray], chosen: &[&Co
             sorted.iter().enumerate().take_while(|(i, _)| *i as f64 <= (count - 1) as f64 * share + 0.5).count();
         sorted[below - 1]
     };
-    for (contestant, own) in chosen.iter().zip(&rates) {
+    for ((contestant, own), open) in chosen.iter().zip(&rates).zip(&open) {
         let peer = chosen.iter().position(|c| Some(c.name) == contestant.peer);
         let ratio = peer.map(|p| {
             let ratios: Vec<f64> = own.iter().zip(&rates[p]).map(|(a, b)| a / b).collect();
             format!("{:.2} of {}", median(&ratios, 0.5), chosen[p].name)
         });
         println!(
-            "{scene:<8} {kind:<11} {:<26} {:>9.2} {:>9.2} {:>9.2}  {}",
+            "{scene:<8} {kind:<11} {:<26} {:>9.2} {:>9.2} {:>9.2}  {}{}",
             contestant.name,
             median(own, 0.5),
             median(own, 0.05),
             median(own, 0.95),
-            ratio.unwrap_or_default()
+            ratio.unwrap_or_default(),
+            share(open, rays.len())
         );
     }
     Ok(())

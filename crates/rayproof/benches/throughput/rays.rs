@@ -1,7 +1,7 @@
 //! About a million rays of each kind.
 
 use glam::Vec3;
-use rayproof::scene::{Camera, Geometry, Hit, Ray, Scene};
+use rayproof::scene::{Camera, Hit, Primitive, Ray, Scene};
 use rayproof::{DeviceChoice, Intersector, Options};
 
 pub(crate) const KINDS: [&str; 3] = ["primary", "incoherent", "diffuse"];
@@ -9,10 +9,10 @@ pub(crate) const KINDS: [&str; 3] = ["primary", "incoherent", "diffuse"];
 const SIDE: u32 = 1024;
 
 /// Numbers in 0..1 from a 64-bit congruence.
-struct Numbers(u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    fn next(&mut self) -> f32 {
+    pub(crate) fn next(&mut self) -> f32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 40) as f32 / 16_777_216.0
     }
@@ -68,11 +68,12 @@ fn diffuse(scene: &Scene, primary: &[Ray], numbers: &mut Numbers) -> anyhow::Res
     anyhow::ensure!(!seen.is_empty(), "the camera sees nothing");
     let mut rays = Vec::with_capacity(1 << 20);
     for (ray, hit) in seen.iter().cycle().take(1 << 20) {
-        let (geometry, primitive) = scene.locate(hit.primitive as usize);
-        let Geometry::Mesh(mesh) = &scene.geometries()[geometry] else { anyhow::bail!("meshes only") };
-        let normal = mesh.triangle(primitive).normal().normalize();
-        let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
         let at = ray.at(hit.t);
+        let normal = match scene.primitive(hit.primitive as usize) {
+            Primitive::Triangle(triangle) => triangle.normal().normalize(),
+            Primitive::Sphere(sphere) => (at - sphere.center).normalize(),
+        };
+        let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };
         let off = 1e-4 * at.abs().max_element().max(hit.t);
         rays.push(Ray::new(at + normal * off, (normal + numbers.on_sphere() * 0.999).normalize()));
     }

@@ -3,21 +3,29 @@
 use std::path::Path;
 
 use glam::Vec3;
-use rayproof::scene::{Geometry, Mesh, Scene, load};
+use rayproof::scene::{Geometry, Mesh, Scene, Sphere, load};
+
+use crate::rays::Numbers;
 
 /// Name and rows of a mesh of four times their square in triangles, for where the file is not there.
 const SCENES: [(&str, u32); 3] = [("bunny", 131), ("dragon", 466), ("hall", 270)];
 
 pub(crate) fn all() -> anyhow::Result<Vec<(&'static str, Scene)>> {
     let folder = std::env::var("RAYPROOF_SCENES").unwrap_or_default();
-    SCENES
-        .into_iter()
-        .map(|(name, rows)| {
-            let file = Path::new(&folder).join(format!("{name}.ply"));
-            let scene = if file.exists() { load(&file)?.scene } else { made(rows) };
-            Ok((name, scene))
-        })
-        .collect()
+    let meshes = SCENES.into_iter().map(|(name, rows)| {
+        let file = Path::new(&folder).join(format!("{name}.ply"));
+        let scene = if file.exists() { load(&file)?.scene } else { made(rows) };
+        Ok((name, scene))
+    });
+    meshes.chain([Ok(("spheres", spheres()))]).collect()
+}
+
+/// A million spheres at random places of a cube, at random sizes about a third of their mean distance.
+fn spheres() -> Scene {
+    let mut numbers = Numbers(3);
+    let mut next = || numbers.next();
+    let sphere = |_| Sphere { center: Vec3::new(next(), next(), next()) * 100.0, radius: 0.1 + 0.4 * next() };
+    Scene::new(vec![Geometry::Spheres((0..1_000_000).map(sphere).collect())])
 }
 
 /// A closed ball with bumps of several sizes.

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::node::{Child, EMPTY, Node};
 use super::pack::Packed;
-use super::{Bvh, PackedTriangle};
+use super::{Bvh, Originals, PackedTriangle};
 
 /// The most primitives a leaf holds: what two bits count.
 const LEAF_SIZE: u32 = 4;
@@ -40,6 +40,8 @@ pub(super) fn build(packed: Packed) -> Bvh {
         scale_exponent: packed.scale_exponent,
         size: packed.size,
         stack_depth: 0,
+        plain: packed.plain,
+        originals: packed.originals.as_ref().map(|_| Originals::default()),
     };
     if packed.triangles.is_empty() && packed.spheres.is_empty() {
         return Bvh { nodes: vec![Node::new(&[], [EMPTY; 4])], ..bvh };
@@ -211,6 +213,9 @@ impl Builder {
                 let at = self.bvh.triangles.len();
                 let packed: &[PackedTriangle] = &self.packed.triangles;
                 self.bvh.triangles.extend(ids(first, count).iter().map(|&id| packed[id as usize]));
+                if let (Some(to), Some(from)) = (&mut self.bvh.originals, &self.packed.originals) {
+                    to.triangles.extend(ids(first, count).iter().map(|&id| from.triangles[id as usize]));
+                }
                 Child::Triangles { first: at, count }
             }
             Child::Spheres { first, count } => {
@@ -219,6 +224,9 @@ impl Builder {
                     let i = id as usize - self.packed.triangles.len();
                     self.bvh.spheres.push(self.packed.spheres[i]);
                     self.bvh.sphere_ids.push(self.packed.sphere_ids[i]);
+                    if let (Some(to), Some(from)) = (&mut self.bvh.originals, &self.packed.originals) {
+                        to.spheres.push(from.spheres[i]);
+                    }
                 }
                 Child::Spheres { first: at, count }
             }

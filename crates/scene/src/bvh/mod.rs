@@ -12,7 +12,7 @@ mod node;
 mod pack;
 
 pub use node::{Child, EMPTY, Node};
-pub use pack::PackedTriangle;
+pub use pack::{Originals, PackedTriangle};
 
 use crate::{Scene, Sphere};
 
@@ -35,6 +35,11 @@ pub struct Bvh {
     pub size: f32,
     /// How many entries a traversal's stack can come to hold.
     pub stack_depth: usize,
+    /// Whether scaling cost no bit and every number but zero is in the range for which the tier `exact` has bounds in
+    /// `f32`: from `2^-100` up, boxes within `2^25`.
+    pub plain: bool,
+    /// The primitives as they were, in the order of `triangles` and `spheres`, where scaling cost a bit.
+    pub originals: Option<Originals>,
 }
 
 /// Whether a scene's coordinates are scaled before they are packed.
@@ -56,6 +61,8 @@ pub enum Tier {
     /// `f32`, the best-conditioned single-precision form of each.
     #[default]
     Fast,
+    /// Exact arithmetic's answer, rounded once: certificates in `f32`, and wider arithmetic for what they leave open.
+    Exact,
 }
 
 impl Tier {
@@ -64,7 +71,7 @@ impl Tier {
     pub const fn scaling(self) -> Scaling {
         match self {
             Self::Classic => Scaling::None,
-            Self::Fast => Scaling::PowerOfTwo,
+            Self::Fast | Self::Exact => Scaling::PowerOfTwo,
         }
     }
 }

@@ -1,3 +1,5 @@
+use std::ops::BitOr as _;
+
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
@@ -14,12 +16,30 @@ pub struct PackedTriangle {
     pub id: u32,
     /// The second vertex.
     pub b: Vec3,
-    /// Zero: it fills the record to three times 16 bytes.
-    pub pad0: u32,
+    /// The largest component of `b - a` and `c - a` in magnitude, rounded up.
+    pub edge: f32,
     /// The third vertex.
     pub c: Vec3,
-    /// Zero.
-    pub pad1: u32,
+    /// Zero: it fills the record to three times 16 bytes.
+    pub pad: u32,
+}
+
+impl PackedTriangle {
+    fn new([a, b, c]: [Vec3; 3], id: u32) -> Self {
+        let size = |v: Vec3| (v.as_dvec3() - a.as_dvec3()).abs().max_element();
+        #[expect(clippy::cast_possible_truncation, reason = "rounded, then one step up")]
+        let edge = (size(b).max(size(c)) as f32).next_up().min(f32::MAX);
+        Self { a, id, b, edge, c, pad: 0 }
+    }
+}
+
+/// The primitives as they were, in the order of the packed ones, where scaling cost a bit.
+#[derive(Clone, Debug, Default)]
+pub struct Originals {
+    /// The corners of each triangle.
+    pub triangles: Vec<[Vec3; 3]>,
+    /// The spheres.
+    pub spheres: Vec<Sphere>,
 }
 
 /// The primitives of a scene, scaled, in the order of their flat numbers, kind by kind.
@@ -29,6 +49,8 @@ pub(super) struct Packed {
     pub(super) sphere_ids: Vec<u32>,
     pub(super) scale_exponent: i32,
     pub(super) size: f32,
+    pub(super) plain: bool,
+    pub(super) originals: Option<Originals>,
 }
 
 impl Packed {
@@ -43,12 +65,46 @@ impl Packed {
             sphere_ids: Vec::with_capacity(scene.sphere_count()),
             scale_exponent,
             size: 0.0,
+            plain: true,
+            originals: None,
         };
         for (index, geometry) in scene.geometries().iter().enumerate() {
             packed.add(scene.start(index), geometry);
         }
         packed.size = power_of_two_above(packed.largest());
+        packed.plain &= packed.size <= PLAIN[1];
+        if !packed.is_exact(scene) {
+            packed.plain = false;
+            packed.originals = Some(originals(scene));
+        }
         packed
+    }
+
+    /// Whether scaling cost no bit; notes whether a number is too small to be plain.
+    fn is_exact(&mut self, scene: &Scene) -> bool {
+        let factor = 2.0_f64.powi(self.scale_exponent);
+        let (mut exact, mut plain) = (true, true);
+        let mut see = |given: Vec3, scaled: Vec3| {
+            exact &= given.as_dvec3() * factor == scaled.as_dvec3();
+            plain &= scaled.abs().cmpge(Vec3::splat(PLAIN[0])).bitor(scaled.cmpeq(Vec3::ZERO)).all();
+        };
+        let mut triangles = self.triangles.iter();
+        let mut spheres = self.spheres.iter();
+        for geometry in scene.geometries() {
+            match geometry {
+                Geometry::Mesh(mesh) => {
+                    (0..mesh.triangles.len()).map(|i| mesh.triangle(i)).zip(&mut triangles).for_each(|(t, packed)| {
+                        [(t.a, packed.a), (t.b, packed.b), (t.c, packed.c)].into_iter().for_each(|(x, y)| see(x, y));
+                    })
+                }
+                Geometry::Spheres(all) => all.iter().zip(&mut spheres).for_each(|(s, packed)| {
+                    see(s.center, packed.center);
+                    see(Vec3::splat(s.radius), Vec3::splat(packed.radius));
+                }),
+            }
+        }
+        self.plain &= plain;
+        exact
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "Bvh::new bounds the number of primitives")]
@@ -58,8 +114,7 @@ impl Packed {
         match geometry {
             Geometry::Mesh(mesh) => self.triangles.extend((0..mesh.triangles.len()).map(|i| {
                 let t = mesh.triangle(i);
-                let id = (start + i) as u32;
-                PackedTriangle { a: scaled(t.a), id, b: scaled(t.b), pad0: 0, c: scaled(t.c), pad1: 0 }
+                PackedTriangle::new([t.a, t.b, t.c].map(scaled), (start + i) as u32)
             })),
             Geometry::Spheres(spheres) => {
                 self.spheres.extend(
@@ -92,6 +147,20 @@ impl Packed {
     }
 }
 
+fn originals(scene: &Scene) -> Originals {
+    let mut all = Originals::default();
+    for geometry in scene.geometries() {
+        match geometry {
+            Geometry::Mesh(mesh) => all.triangles.extend((0..mesh.triangles.len()).map(|i| {
+                let t = mesh.triangle(i);
+                [t.a, t.b, t.c]
+            })),
+            Geometry::Spheres(spheres) => all.spheres.extend(spheres),
+        }
+    }
+    all
+}
+
 fn largest(v: Vec3) -> f32 {
     v.abs().max_element()
 }
@@ -112,6 +181,9 @@ const NEAR: [i32; 2] = [-20, 20];
 
 /// Beyond 2^100 boxes cannot be decoded and products of two lengths overflow, whatever the formula.
 const FAR: [i32; 2] = [-149, 100];
+
+/// Scaled coordinates and radii of a plain scene are zero or between these: no bound of the tier `exact` meets a subnormal.
+const PLAIN: [f32; 2] = [f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 25) << 23)];
 
 /// The magnitudes that decide how a scene is scaled.
 struct Magnitudes {

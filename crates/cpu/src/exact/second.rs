@@ -1,0 +1,242 @@
+//! The second tier: the walk in `f64`, for every finite ray, with the certificates of the first; what they leave open is
+//! decided exactly on the spot. On a device this is `shaders/exact/second.wgsl`, which leaves it to the CPU.
+//!
+//! Positions are those of the scaled scene, the direction is as given: `t' = t 2^m`. No product over- or underflows: positions
+//! lie below `2^260`, directions below `2^128`, and what is not zero is above `2^-150` each; no product has more than five
+//! factors (`-750 > -1022`) or takes more than `2^800`.
+
+use std::cmp::Ordering;
+
+use rayproof_scene::{MISS, Ray};
+
+use super::candidate::Candidate;
+use super::ray::{sphere_line, triangle_line};
+use super::resolve::{self, Shape};
+use super::{sphere, triangle};
+use crate::bvh::slab::WideNode;
+use crate::lanes::Corners;
+use crate::leaf::{SPHERES, leaf_range};
+use crate::number::Vector;
+use crate::primitives::Primitives;
+
+/// What rounding to nearest loses at most, relative to the result.
+const ROUNDOFF: f32 = f32::from_bits((127 - 53) << 23);
+
+const LEAF: u32 = 1 << 31;
+
+/// A ray in `f64`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SecondRay {
+    pub(crate) exact: resolve::Ray,
+    pub(crate) triangle: triangle::Line<f64>,
+    pub(crate) sphere: sphere::Line<f64>,
+}
+
+impl SecondRay {
+    /// `scale` is what the scene was multiplied by.
+    pub(crate) fn new(ray: &Ray, scale: f64) -> Self {
+        let origin = ray.origin.as_dvec3() * scale;
+        let direction = ray.direction.as_dvec3();
+        let exact = resolve::Ray {
+            origin: origin.to_array(),
+            direction: direction.to_array(),
+            t_min: f64::from(ray.t_min) * scale,
+            t_max: f64::from(ray.t_max) * scale,
+        };
+        let (origin, direction) = (Vector::from(exact.origin), Vector::from(exact.direction));
+        Self {
+            exact,
+            triangle: triangle_line(ROUNDOFF, origin, direction, 0.0),
+            sphere: sphere_line(ROUNDOFF, origin, direction, 0.0),
+        }
+    }
+}
+
+/// What is known of one primitive: `None` for a certain miss.
+fn candidate(ray: &SecondRay, shape: &Shape) -> Option<Candidate<f64>> {
+    match *shape {
+        Shape::Triangle(_) => {
+            let (sides, edge) = sides(ray, shape)?;
+            let crosses = triangle::crosses(&sides);
+            let (clear, t, off) = triangle::plane_t(&ray.triangle, &sides, edge);
+            let open = Candidate { certain: false, low: f64::NEG_INFINITY, high: f64::INFINITY };
+            Some(if clear { Candidate { certain: crosses, ..Candidate::at(t, off) } } else { open })
+        }
+        Shape::Sphere { center, radius } => {
+            let chord = sphere::chord(&ray.sphere, center.into(), radius);
+            (!chord.misses).then(|| Candidate::first_root(&chord, ray.exact.t_min))
+        }
+    }
+}
+
+/// The edge functions of a triangle that is not certainly missed, and its largest edge.
+fn sides(ray: &SecondRay, shape: &Shape) -> Option<(triangle::Sides<f64>, f64)> {
+    let Shape::Triangle([a, b, c]) = *shape else { return None };
+    let [a, b, c] = [a, b, c].map(Vector::from);
+    // Rounded up by more than the two roundings cost.
+    let edge = (b - a).largest().max((c - a).largest()) * (1.0 + 4.0 * f64::EPSILON);
+    let sides = triangle::sides(&ray.triangle, &Corners { a, b, c, edge });
+    (!triangle::misses(&sides)).then_some((sides, edge))
+}
+
+/// The closest hit so far.
+#[derive(Clone, Copy, Debug)]
+struct Winner {
+    slot: u32,
+    shape: Shape,
+    low: f64,
+    high: f64,
+}
+
+/// The primitive that is hit first, by its place in the leaves, or [`MISS`]; where `ANY`, one that is hit. `doubts` counts the
+/// questions that only exact arithmetic could answer.
+pub(crate) fn closest<const ANY: bool>(
+    nodes: &[WideNode],
+    primitives: &Primitives,
+    ray: &SecondRay,
+    doubts: &mut u32,
+) -> u32 {
+    let mut winner: Option<Winner> = None;
+    walk(nodes, ray, |word| {
+        for slot in slots(word) {
+            let shape = primitives.shape(slot);
+            let Some(found) = candidate(ray, &shape) else { continue };
+            let reach = winner.map_or(ray.exact.t_max, |w| w.high);
+            if found.is_outside(ray.exact.t_min, reach) {
+                continue;
+            }
+            if !found.is_inside(ray.exact.t_min, ray.exact.t_max) {
+                *doubts += 1;
+                if !resolve::is_hit(&ray.exact, &shape) {
+                    continue;
+                }
+            }
+            let (low, high) = (found.low.max(ray.exact.t_min), found.high.min(ray.exact.t_max));
+            let found = Winner { slot, shape, low, high };
+            winner = Some(match winner {
+                Some(before) if !goes_first(primitives, ray, &found, &before, doubts) => before,
+                _ => found,
+            });
+            if ANY {
+                return f64::NEG_INFINITY;
+            }
+        }
+        winner.map_or(ray.exact.t_max, |w| w.high)
+    });
+    winner.map_or(MISS, |w| w.slot)
+}
+
+/// Whether a hit comes before another: the smaller `t`, and among equal `t` the lower number.
+fn goes_first(primitives: &Primitives, ray: &SecondRay, found: &Winner, before: &Winner, doubts: &mut u32) -> bool {
+    if found.high < before.low || before.high < found.low {
+        return found.high < before.low;
+    }
+    *doubts += 1;
+    match resolve::compare(&ray.exact, &found.shape, &before.shape) {
+        Ordering::Less => true,
+        Ordering::Equal => primitives.id(found.slot) < primitives.id(before.slot),
+        Ordering::Greater => false,
+    }
+}
+
+/// How often the surface is crossed.
+pub(crate) fn count(nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
+    let resolve::Ray { t_min, t_max, .. } = ray.exact;
+    let mut count = 0;
+    walk(nodes, ray, |word| {
+        for slot in slots(word) {
+            let shape = primitives.shape(slot);
+            count += match certain_count(ray, &shape) {
+                Some(certain) => certain,
+                None => {
+                    *doubts += 1;
+                    resolve::crossings(&ray.exact, &shape)
+                }
+            };
+        }
+        t_max
+    });
+    debug_assert!(t_min <= t_max);
+    count
+}
+
+/// The crossings of one primitive, where certificates tell.
+fn certain_count(ray: &SecondRay, shape: &Shape) -> Option<u32> {
+    let resolve::Ray { t_min, t_max, .. } = ray.exact;
+    let certain = |found: &Candidate<f64>| {
+        let outside = found.is_outside(t_min, t_max);
+        (outside || found.is_inside(t_min, t_max)).then_some(u32::from(!outside))
+    };
+    match *shape {
+        Shape::Triangle(_) => candidate(ray, shape).as_ref().map_or(Some(0), certain),
+        Shape::Sphere { center, radius } => {
+            let chord = sphere::chord(&ray.sphere, center.into(), radius);
+            if chord.misses {
+                return Some(0);
+            }
+            Candidate::both_roots(&chord).iter().map(certain).sum()
+        }
+    }
+}
+
+/// The places of a leaf's primitives.
+#[expect(clippy::cast_possible_truncation, reason = "a leaf's word names it in 28 bits")]
+fn slots(word: u32) -> impl Iterator<Item = u32> {
+    let range = leaf_range(word);
+    let (first, count) = (range.start as u32, range.len() as u32);
+    let first = if word & SPHERES == 0 { first * 4 } else { SPHERES | first };
+    first..first + count
+}
+
+/// Calls `leaf` with the words of the leaves whose boxes the ray meets, roughly from near to far; it returns beyond which `t'`
+/// nothing more is of interest.
+///
+/// A plane is off by two roundings relative to its `t'`, which the pad covers; an axis along which the ray does not move is
+/// compared as it is. Scaling a subnormal down rounds, by less than `2^-148`: the boxes grow by that.
+fn walk(nodes: &[WideNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
+    let mut reach = ray.exact.t_max;
+    let mut stack = vec![(f64::NEG_INFINITY, 0)];
+    while let Some((enter, word)) = stack.pop() {
+        if enter > reach {
+            continue;
+        }
+        if word >= LEAF {
+            reach = leaf(word);
+            continue;
+        }
+        let node = &nodes[word as usize];
+        let base = stack.len();
+        for k in 0..4 {
+            let word = node.child(k);
+            if word == MISS {
+                continue;
+            }
+            if let Some(enter) = entered(&ray.exact, node.child_box(k), reach) {
+                stack.push((enter, word));
+            }
+        }
+        stack[base..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    }
+}
+
+/// Where a box is entered, at the earliest; `None` where it is missed.
+fn entered(ray: &resolve::Ray, [low, high]: [[f32; 3]; 2], reach: f64) -> Option<f64> {
+    const GROW: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 74) as f64;
+    const PAD: f64 = 1.0 / (1_u64 << 50) as f64;
+    let (mut enter, mut leave) = (ray.t_min, reach);
+    for axis in 0..3 {
+        let (low, high) = (f64::from(low[axis]) - GROW, f64::from(high[axis]) + GROW);
+        let (o, d) = (ray.origin[axis], ray.direction[axis]);
+        if d == 0.0 {
+            if o < low || o > high {
+                return None;
+            }
+            continue;
+        }
+        let (near, far) = if d > 0.0 { (low, high) } else { (high, low) };
+        let (near, far) = ((near - o) / d, (far - o) / d);
+        enter = enter.max(near - near.abs() * PAD);
+        leave = leave.min(far + far.abs() * PAD);
+    }
+    (enter <= leave).then_some(enter)
+}

@@ -1,0 +1,55 @@
+//! Twin of `shaders/exact/sphere.wgsl` and of `shaders/exact/wide/sphere.wgsl`.
+
+use crate::number::{Number, Vector, dot3};
+
+/// A ray as certificates of spheres take it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<N> {
+    pub(crate) origin: Vector<N>,
+    pub(crate) direction: Vector<N>,
+    /// `1 / d.d`.
+    pub(crate) inverse_a: N,
+    /// `28 u`, and `28 u / |d|`.
+    pub(crate) foot_error: N,
+    pub(crate) middle_error: N,
+    /// `12 u`.
+    pub(crate) round_error: N,
+    /// More than all that underflows.
+    pub(crate) tiny: N,
+}
+
+/// What is known of a line and a sphere.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Chord<N: Number> {
+    /// The line certainly misses, or certainly enters.
+    pub(crate) misses: N::Mask,
+    pub(crate) enters: N::Mask,
+    /// The roots are `middle - half` and `middle + half`, each within `off`; where it is not certain that the line enters,
+    /// whatever roots there are lie between `middle - half - off` and `middle + half + off`.
+    pub(crate) middle: N,
+    pub(crate) half: N,
+    pub(crate) off: N,
+}
+
+#[inline(always)]
+pub(crate) fn chord<N: Number>(ray: &Line<N>, center: Vector<N>, radius: N) -> Chord<N> {
+    let zero = N::constant(0.0);
+    let o = ray.origin - center;
+    let middle = zero - dot3(ray.direction, o) * ray.inverse_a;
+    let d = ray.direction;
+    let l = Vector { x: o.x + middle * d.x, y: o.y + middle * d.y, z: o.z + middle * d.z };
+    let rr = radius * radius;
+    let square = rr - dot3(l, l);
+    let far = o.largest();
+    let foot = far * ray.foot_error;
+    let off_square = (radius + radius + foot) * foot + rr * ray.round_error + ray.tiny;
+    let off_middle = far * ray.middle_error + ray.tiny;
+    let misses = (square + off_square).less(zero);
+    let enters = (off_square + off_square).less(square);
+    // Where it is not certain that the line enters, the longest chord there may be.
+    let longest = square.max(zero) + off_square;
+    let half = (N::select(enters, square, longest) * ray.inverse_a).sqrt();
+    let off_half = N::select(enters, off_square * ray.inverse_a / N::select(enters, half, N::constant(1.0)), zero);
+    let off = off_middle + off_half * N::constant(1.0625) + half * ray.round_error + middle.abs() * ray.round_error;
+    Chord { misses, enters, middle, half, off }
+}
