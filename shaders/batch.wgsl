@@ -18,18 +18,6 @@ struct Ray {
     t_max: f32,
 }
 
-// A ray as a tier's formulas take it.
-struct TierRay {
-    origin: vec3<f32>,
-    direction: vec3<f32>,
-    t_min: f32,
-    t_max: f32,
-    // Box units: s = t 2^box_exponent.
-    box_exponent: i32,
-    // What is returned: t 2^out_exponent.
-    out_exponent: i32,
-}
-
 struct Hit {
     t: f32,
     u: f32,
@@ -40,18 +28,9 @@ struct Hit {
 // The primitive of a ray that hits nothing.
 const MISS: u32 = 0xffffffffu;
 
-// One primitive's answer: whether it is hit in range, and where.
-struct Candidate {
-    hit: bool,
-    t: f32,
-    u: f32,
-    v: f32,
-}
-
-const NO_HIT = Candidate(false, 0.0, 0.0, 0.0);
-
 @group(0) @binding(0) var<uniform> params: Params;
 @group(0) @binding(1) var<storage, read> rays: array<Ray>;
+// Binding 2 are the answers, which the query declares; binding 3 is the list of exact/list.wgsl; the scene follows.
 
 const WORKGROUP_SIZE: u32 = 64u;
 

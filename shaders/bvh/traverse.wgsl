@@ -1,8 +1,9 @@
 // Depth first, the nearest child next, the others kept with their keys and dropped when a nearer hit has been found.
 //
-// `tier_ray` comes from the tier (classic/ or fast/), `intersect_leaf` from leaf/, `ANY_HIT` from query/, and
-// `node_quad` from the host, which knows over how many bindings the nodes are spread. STACK_SIZE is the host's too: what
-// this tree needs at most, plus three, since a push writes before it knows whether the entry stays.
+// A tier says what a ray is (`TierRay`), what has been found so far (`Found`, `found_start`, `found_reach`, `found_finished`) and
+// what a leaf adds to it (`intersect_leaf`); `node_quad` comes from the host, which knows over how many bindings the nodes are
+// spread. STACK_SIZE is the host's too: what this tree needs at most, plus three, since a push writes before it knows whether
+// the entry stays.
 
 const LEAF: u32 = 0x80000000u;
 // The word of no child: it ends the walk.
@@ -21,12 +22,10 @@ fn load_node(index: u32) -> Node {
     );
 }
 
-fn traverse(given: Ray) -> Hit {
-    let unit = unit_direction(given.direction);
-    let ray = tier_ray(given, unit);
+fn traverse(unit: UnitDirection, ray: TierRay) -> Found {
     let boxes = box_ray(ray.origin, unit.direction, scale_by_power(ray.t_min, ray.box_exponent));
-    var hit = Hit(ray.t_max, 0.0, 0.0, MISS);
-    var s_max = min(scale_by_power(ray.t_max, ray.box_exponent), FARTHEST);
+    var found = found_start(ray);
+    var s_max = min(scale_by_power(found_reach(found), ray.box_exponent), FARTHEST);
 
     var keys: array<f32, STACK_SIZE>;
     var words: array<u32, STACK_SIZE>;
@@ -66,11 +65,11 @@ fn traverse(given: Ray) -> Hit {
         if current == DONE {
             break;
         }
-        hit = intersect_leaf(ray, current, hit);
-        if ANY_HIT && hit.primitive != MISS {
+        found = intersect_leaf(ray, current, found);
+        if found_finished(found) {
             break;
         }
-        s_max = min(scale_by_power(hit.t, ray.box_exponent), FARTHEST);
+        s_max = min(scale_by_power(found_reach(found), ray.box_exponent), FARTHEST);
         loop {
             top -= 1u;
             if keys[top] <= s_max {
@@ -79,6 +78,5 @@ fn traverse(given: Ray) -> Hit {
         }
         current = words[top];
     }
-    let t = scale_by_power(hit.t, ray.out_exponent);
-    return Hit(without_sign(t), without_sign(hit.u), without_sign(hit.v), hit.primitive);
+    return found;
 }

@@ -9,5 +9,5 @@ fn any_hit(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     if index >= params.ray_count {
         return;
     }
-    hits[index] = select(0u, 1u, traverse(rays[index]).primitive != MISS);
+    hits[index] = select(0u, 1u, trace(rays[index]).primitive != MISS);
 }

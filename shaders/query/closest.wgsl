@@ -9,7 +9,7 @@ fn closest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     if index >= params.ray_count {
         return;
     }
-    let hit = traverse(rays[index]);
+    let hit = trace(rays[index]);
     if hit.primitive == MISS {
         // Infinity as its bits: no arithmetic makes it.
         hits[index] = vec4<u32>(0x7f800000u, 0u, 0u, MISS);

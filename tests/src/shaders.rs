@@ -5,17 +5,17 @@ use std::fs;
 use std::path::Path;
 
 use rayproof::scene::bvh::Tier;
-use rayproof_gpu::{Contents, Kernel, Query};
+use rayproof_gpu::{Contents, Kernel, Pass, Query};
 
 /// Accessors as the host writes them for lists of one binding.
 const LISTS: &str = "const STACK_SIZE: u32 = 32u;
-@group(0) @binding(3) var<storage, read> nodes_0: array<vec4<u32>>;
+@group(0) @binding(4) var<storage, read> nodes_0: array<vec4<u32>>;
 fn node_quad(i: u32) -> vec4<u32> { return nodes_0[i]; }
-@group(0) @binding(4) var<storage, read> triangles_0: array<vec4<u32>>;
+@group(0) @binding(5) var<storage, read> triangles_0: array<vec4<u32>>;
 fn triangle_quad(i: u32) -> vec4<u32> { return triangles_0[i]; }
-@group(0) @binding(5) var<storage, read> spheres_0: array<vec4<u32>>;
+@group(0) @binding(6) var<storage, read> spheres_0: array<vec4<u32>>;
 fn sphere_quad(i: u32) -> vec4<u32> { return spheres_0[i]; }
-@group(0) @binding(6) var<storage, read> sphere_ids_0: array<u32>;
+@group(0) @binding(7) var<storage, read> sphere_ids_0: array<u32>;
 fn sphere_id(i: u32) -> u32 { return sphere_ids_0[i]; }
 ";
 
@@ -37,23 +37,29 @@ fn every_kernel_validates_and_every_file_is_used() {
     files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../shaders"), &mut sources);
     assert!(sources.len() > 15, "{} shader files", sources.len());
     let mut kernels = 0;
-    for tier in [Tier::Classic, Tier::Fast] {
+    let passes = [Tier::Classic, Tier::Fast].map(Pass::Trace).into_iter().chain(Pass::all_exact());
+    for pass in passes {
         for query in Query::ALL {
             for contents in Contents::ALL {
-                let kernel = Kernel { tier, query, contents };
+                let kernel = Kernel { pass, query, contents };
+                if !kernel.exists() {
+                    continue;
+                }
                 let linked = kernel.link(LISTS);
                 let (module, _) = linked.validate().unwrap_or_else(|e| panic!("{kernel:?}: {e}"));
-                assert_eq!(module.entry_points[0].name, query.entry());
+                assert_eq!(module.entry_points[0].name, kernel.entry());
                 // A scene without spheres runs a kernel that knows of none, and likewise for triangles.
-                assert_eq!(linked.source().contains("fn intersect_sphere("), contents != Contents::Triangles);
-                assert_eq!(linked.source().contains("fn intersect_triangle("), contents != Contents::Spheres);
+                let knows = |functions: [&str; 2]| functions.iter().any(|f| linked.source().contains(f));
+                assert_eq!(knows(["fn intersect_sphere(", "fn chord("]), contents != Contents::Triangles);
+                assert_eq!(knows(["fn intersect_triangle(", "fn sides("]), contents != Contents::Spheres);
                 used.extend((0..sources.len()).filter(|&i| linked.source().contains(sources[i].trim())));
                 kernels += 1;
             }
         }
     }
-    // The check kernel stands alone; the fingerprint's tests run it.
-    used.extend((0..sources.len()).filter(|&i| sources[i].contains("fn fingerprint(")));
+    // The check kernels stand alone; every device that is opened for the tier `exact` runs both.
+    let checks = |text: &String| ["fn fingerprint(", "fn trial("].iter().any(|entry| text.contains(entry));
+    used.extend((0..sources.len()).filter(|&i| checks(&sources[i])));
     assert_eq!(used.len(), sources.len(), "a file in shaders/ belongs to no kernel");
     println!("{kernels} kernels of {} files", sources.len());
 }

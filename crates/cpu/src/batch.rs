@@ -13,11 +13,18 @@ pub(crate) struct Params {
     pub(crate) scene_size: f32,
     /// Whether the tier `exact` has bounds for this scene in `f32`.
     pub(crate) plain: bool,
+    /// Whether the scene holds spheres.
+    pub(crate) spheres: bool,
 }
 
 impl Params {
     pub(crate) const fn new(bvh: &Bvh) -> Self {
-        Self { scene_exponent: bvh.scale_exponent, scene_size: bvh.size, plain: bvh.plain }
+        Self {
+            scene_exponent: bvh.scale_exponent,
+            scene_size: bvh.size,
+            plain: bvh.plain,
+            spheres: !bvh.spheres.is_empty(),
+        }
     }
 }
 

@@ -14,6 +14,9 @@ use crate::{classic, fast, wide};
 /// Rays one task takes: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
 
+/// Rays a block: few enough to stay in the nearest cache.
+const BLOCK: usize = 64;
+
 /// A tree ready to be walked, and the tier whose formulas run at its leaves.
 #[derive(Clone, Debug)]
 pub struct Engine {
@@ -60,8 +63,14 @@ impl Engine {
             hits,
             #[inline(always)]
             |ray, stack, path| match self.tier {
-                Tier::Exact => self.exact_hit(ray, stack, path),
+                Tier::Exact => Hit { primitive: self.exact_slot::<false>(ray, stack, path), ..Hit::MISS },
                 tier => self.single::<false>(tier, ray, stack),
+            },
+            #[inline(always)]
+            |ray, hit, path| {
+                if self.tier == Tier::Exact && hit.is_hit() {
+                    *hit = self.round(ray, hit.primitive, path);
+                }
             },
         )
     }
@@ -77,10 +86,11 @@ impl Engine {
             #[inline(always)]
             |ray, stack, path| {
                 u8::from(match self.tier {
-                    Tier::Exact => self.exact_slot::<true>(ray, stack, path).0 != MISS,
+                    Tier::Exact => self.exact_slot::<true>(ray, stack, path) != MISS,
                     tier => self.single::<true>(tier, ray, stack).is_hit(),
                 })
             },
+            |_, _, _| {},
         )
     }
 
@@ -95,6 +105,7 @@ impl Engine {
             counts,
             #[inline(always)]
             |ray, stack, path| self.exact_count(ray, stack, path),
+            |_, _, _| {},
         )
     }
 
@@ -103,17 +114,23 @@ impl Engine {
     /// # Panics
     /// When `rays` and `tiers` differ in length.
     pub fn deciding_tiers(&self, rays: &[Ray], tiers: &mut [u8]) {
-        self.batch(rays, tiers, |ray, stack, path| {
-            self.exact_hit(ray, stack, path);
+        let decide = |ray: &Ray, stack: &mut Stack, path: &mut Path| {
+            let slot = self.exact_slot::<false>(ray, stack, path);
+            if slot != MISS {
+                self.round(ray, slot, path);
+            }
             if path.doubts > 0 { 3 } else { 1 + u8::from(path.open) }
-        });
+        };
+        self.batch(rays, tiers, decide, |_, _, _| {});
     }
 
+    /// Answers every ray, a block at a time; then `finish` goes over the block: independent work, which the processor overlaps.
     fn batch<A: Send>(
         &self,
         rays: &[Ray],
         answers: &mut [A],
         answer: impl Fn(&Ray, &mut Stack, &mut Path) -> A + Sync,
+        finish: impl Fn(&Ray, &mut A, &mut Path) + Sync,
     ) -> Undecided {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
         rays.par_chunks(TASK)
@@ -125,10 +142,15 @@ impl Engine {
                     wide::run(
                         #[inline(always)]
                         || {
-                            for (ray, slot) in rays.iter().zip(answers) {
-                                let mut path = Path::default();
-                                *slot = answer(ray, stack, &mut path);
-                                undecided += path.tally();
+                            for (rays, answers) in rays.chunks(BLOCK).zip(answers.chunks_mut(BLOCK)) {
+                                let mut paths = [Path::default(); BLOCK];
+                                for ((ray, slot), path) in rays.iter().zip(&mut *answers).zip(&mut paths) {
+                                    *slot = answer(ray, stack, path);
+                                }
+                                for ((ray, slot), path) in rays.iter().zip(answers).zip(&mut paths) {
+                                    finish(ray, slot, path);
+                                    undecided += path.tally();
+                                }
                             }
                         },
                     );
@@ -162,9 +184,17 @@ impl Engine {
         sphere: impl Fn(&SingleRay, &Sphere) -> Candidate,
     ) -> Hit {
         let Primitives { leaves, spheres, sphere_ids, .. } = &self.primitives;
-        let triangles = |ray: &SingleRay, word, found| intersect_triangles(leaves, ray, word, found, &triangle);
-        let spheres = |ray: &SingleRay, word, found| intersect_spheres(spheres, sphere_ids, ray, word, found, &sphere);
-        self.walk(stack, unit, ray, Nearest::<ANY>::start(ray), triangles, spheres).hit(ray)
+        self.walk(
+            stack,
+            unit,
+            ray,
+            Nearest::<ANY>::start(ray),
+            #[inline(always)]
+            |ray: &SingleRay, word, found| intersect_triangles(leaves, ray, word, found, &triangle),
+            #[inline(always)]
+            |ray: &SingleRay, word, found| intersect_spheres(spheres, sphere_ids, ray, word, found, &sphere),
+        )
+        .hit(ray)
     }
 
     /// The walk over the leaves that the scene has.
@@ -199,35 +229,41 @@ impl Engine {
         }
     }
 
+    /// The hit of the primitive in a place, which is hit in range.
     #[inline(always)]
-    fn exact_hit(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> Hit {
-        let (slot, known) = self.exact_slot::<false>(ray, stack, path);
-        if slot == MISS {
-            return Hit::MISS;
-        }
+    fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> Hit {
         let Primitives { scale, scale_exponent, .. } = self.primitives;
-        let ray = known.unwrap_or_else(|| SecondRay::new(ray, scale));
-        let (shape, id) = (self.primitives.shape(slot), self.primitives.id(slot));
-        exact::round(&ray, &shape, id, scale_exponent, &mut path.doubts)
+        let ray = SecondRay::new(ray, scale, slot & SPHERES != 0);
+        let [t, u, v] = exact::round(&ray, &self.primitives.shape(slot), scale_exponent, &mut path.doubts);
+        Hit { t, u, v, primitive: self.primitives.id(slot) }
     }
 
-    /// The place of the primitive that is hit first, and the ray in `f64` where it took that.
+    /// The place of the primitive that is hit first.
     #[inline(always)]
-    fn exact_slot<const ANY: bool>(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> (u32, Option<SecondRay>) {
+    fn exact_slot<const ANY: bool>(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u32 {
         let unit = unit_direction(ray.direction);
         let first = exact::first_ray(&self.params, ray, &unit);
+        let mut window = [f64::NEG_INFINITY, f64::INFINITY];
         if first.ordinary {
             let Primitives { leaves, spheres, .. } = &self.primitives;
-            let triangles = |ray: &_, word, found| first::intersect_triangles(leaves, ray, word, found);
-            let spheres = |ray: &_, word, found| first::intersect_spheres(spheres, ray, word, found);
-            let found = self.walk(stack, &unit, &first, First::<ANY>::start(&first), triangles, spheres);
+            let found = self.walk(
+                stack,
+                &unit,
+                &first,
+                First::<ANY>::start(&first),
+                #[inline(always)]
+                |ray: &_, word, found| first::intersect_triangles(leaves, ray, word, found),
+                #[inline(always)]
+                |ray: &_, word, found| first::intersect_spheres(spheres, ray, word, found),
+            );
             if found.decided() {
-                return (found.slot, None);
+                return found.slot;
             }
+            window = found.window().map(|t| f64::from(t) * 2.0_f64.powi(-unit.exponent));
         }
         path.open = true;
-        let ray = SecondRay::new(ray, self.primitives.scale);
-        (second::closest::<ANY>(&self.nodes, &self.primitives, &ray, &mut path.doubts), Some(ray))
+        let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
+        second::closest::<ANY>(&self.nodes, &self.primitives, &ray, window, &mut path.doubts)
     }
 
     #[inline(always)]
@@ -236,15 +272,22 @@ impl Engine {
         let first = exact::first_ray(&self.params, ray, &unit);
         if first.ordinary {
             let Primitives { leaves, spheres, .. } = &self.primitives;
-            let triangles = |ray: &_, word, found| first::count_triangles(leaves, ray, word, found);
-            let spheres = |ray: &_, word, found| first::count_spheres(spheres, ray, word, found);
-            let found = self.walk(stack, &unit, &first, Crossings::start(&first), triangles, spheres);
+            let found = self.walk(
+                stack,
+                &unit,
+                &first,
+                Crossings::start(&first),
+                #[inline(always)]
+                |ray: &_, word, found| first::count_triangles(leaves, ray, word, found),
+                #[inline(always)]
+                |ray: &_, word, found| first::count_spheres(spheres, ray, word, found),
+            );
             if !found.open {
                 return found.count;
             }
         }
         path.open = true;
-        let ray = SecondRay::new(ray, self.primitives.scale);
+        let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
         second::count(&self.nodes, &self.primitives, &ray, &mut path.doubts)
     }
 }

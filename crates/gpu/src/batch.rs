@@ -9,7 +9,7 @@ use rayproof_scene::Ray;
 use crate::Error;
 use crate::engine::OnDevice;
 use crate::gpu::Gpu;
-use crate::kernel::{Kernel, Query};
+use crate::kernel::{Kernel, Pass, Query};
 
 /// Threads of a workgroup; `WORKGROUP_SIZE` in `shaders/batch.wgsl`.
 const WORKGROUP: u32 = 64;
@@ -35,9 +35,15 @@ struct Params {
     scene_size: f32,
 }
 
-/// A kernel with its buffers.
+/// The two counters at the head of the list in `shaders/exact/list.wgsl`, in a readback.
+const COUNTERS: u64 = 8;
+
+/// Workgroups of a pass over a list, whose length only the device knows.
+const LIST_GROUPS: u32 = 1024;
+
+/// The kernels of a query, one after the other, with their buffers.
 pub(crate) struct Stream {
-    pipeline: wgpu::ComputePipeline,
+    passes: Vec<(wgpu::ComputePipeline, Pass)>,
     layout: wgpu::BindGroupLayout,
     slots: Vec<Slot>,
     query: Query,
@@ -54,6 +60,7 @@ struct Slot {
     params: wgpu::Buffer,
     rays: wgpu::Buffer,
     hits: wgpu::Buffer,
+    list: wgpu::Buffer,
     readback: wgpu::Buffer,
     bindings: wgpu::BindGroup,
 }
@@ -68,14 +75,18 @@ struct Flight {
 }
 
 impl Stream {
-    pub(crate) fn new(gpu: &Gpu, scene: &OnDevice, kernel: Kernel) -> Result<Self, Error> {
+    pub(crate) fn new(gpu: &Gpu, scene: &OnDevice, query: Query, passes: &[Pass]) -> Result<Self, Error> {
         let layout = gpu.layout(u32::try_from(scene.buffers.len()).unwrap_or(u32::MAX));
-        let pipeline = gpu.pipeline(&kernel.link(&scene.accessors), kernel.query.entry(), &layout, gpu.route())?;
+        let compile = |&pass: &Pass| -> Result<_, Error> {
+            let kernel = Kernel { pass, query, contents: scene.contents };
+            Ok((gpu.pipeline(&kernel.link(&scene.accessors), kernel.entry(), &layout, gpu.route())?, pass))
+        };
+        let passes = passes.iter().map(compile).collect::<Result<Vec<_>, Error>>()?;
         let widest = gpu.limits().max_compute_workgroups_per_dimension;
         let most = usize::try_from(gpu.max_binding() / size_of::<Ray>() as u64).unwrap_or(usize::MAX);
         let most = LARGEST_CHUNK.min(most).max(1);
-        let (slots, query, chunk) = (Vec::new(), kernel.query, FIRST_CHUNK.min(most));
-        Ok(Self { pipeline, layout, slots, query, most, capacity: 0, chunk, widest })
+        let (slots, chunk) = (Vec::new(), FIRST_CHUNK.min(most));
+        Ok(Self { passes, layout, slots, query, most, capacity: 0, chunk, widest })
     }
 
     /// Makes room for chunks of a batch of `rays`.
@@ -86,14 +97,19 @@ impl Stream {
             return Ok(());
         }
         let (rays, hits) = ((wanted * size_of::<Ray>()) as u64, wanted as u64 * self.query.answer_size());
+        // Two lists of ray numbers, where there is a second pass to leave rays to.
+        let lists = if self.passes.len() > 1 { wanted as u64 * 8 } else { 0 };
         self.slots = (0..SLOTS)
             .map(|_| {
                 let params = gpu.buffer("params", size_of::<Params>() as u64, Usage::UNIFORM | Usage::COPY_DST);
                 let rays = gpu.buffer("rays", rays, Usage::STORAGE | Usage::COPY_DST);
-                let readback = gpu.buffer("readback", hits, Usage::MAP_READ | Usage::COPY_DST);
+                let readback = gpu.buffer("readback", hits + COUNTERS, Usage::MAP_READ | Usage::COPY_DST);
                 let hits = gpu.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
-                let bindings = gpu.bind(&self.layout, [&params, &rays, &hits].into_iter().chain(&scene.buffers));
-                Slot { params, rays, hits, readback, bindings }
+                let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
+                let list = gpu.buffer("list", (COUNTERS + lists).max(16), usage);
+                let buffers = [&params, &rays, &hits, &list].into_iter().chain(&scene.buffers);
+                let bindings = gpu.bind(&self.layout, buffers);
+                Slot { params, rays, hits, list, readback, bindings }
             })
             .collect();
         gpu.check()?;
@@ -101,13 +117,14 @@ impl Stream {
         Ok(())
     }
 
-    /// Answers all rays; `take` is given each chunk's first ray and its answers' bytes, in order.
+    /// Answers all rays; `take` is given each chunk's first ray, its answers' bytes, and how many rays the first pass left open;
+    /// in order.
     pub(crate) fn run(
         &mut self,
         gpu: &Gpu,
         scene: &OnDevice,
         rays: &[Ray],
-        mut take: impl FnMut(usize, &[u8]),
+        mut take: impl FnMut(usize, &[u8], u32),
     ) -> Result<(), Error> {
         self.reserve(gpu, scene, rays.len())?;
         let mut flights = std::collections::VecDeque::with_capacity(SLOTS);
@@ -130,7 +147,7 @@ impl Stream {
     }
 
     fn launch(&self, gpu: &Gpu, scene: &OnDevice, slot: usize, at: usize, rays: &[Ray]) -> Result<Flight, Error> {
-        let Slot { params, rays: buffer, hits, readback, bindings } = &self.slots[slot];
+        let Slot { params, rays: buffer, hits, list, readback, bindings } = &self.slots[slot];
         let ray_count = u32::try_from(rays.len()).unwrap_or(u32::MAX);
         let groups = ray_count.div_ceil(WORKGROUP);
         let row = groups.min(self.widest);
@@ -138,17 +155,25 @@ impl Stream {
         gpu.queue.write_buffer(params, 0, bytemuck::bytes_of(&given));
         gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(rays));
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.clear_buffer(list, 0, Some(COUNTERS));
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, bindings, &[]);
-            pass.dispatch_workgroups(row, groups.div_ceil(row.max(1)), 1);
+            for (pipeline, part) in &self.passes {
+                pass.set_pipeline(pipeline);
+                if part.is_of_list() {
+                    pass.dispatch_workgroups(groups.min(LIST_GROUPS).min(self.widest), 1, 1);
+                } else {
+                    pass.dispatch_workgroups(row, groups.div_ceil(row.max(1)), 1);
+                }
+            }
         }
         let bytes = rays.len() as u64 * self.query.answer_size();
         encoder.copy_buffer_to_buffer(hits, 0, readback, 0, bytes);
+        encoder.copy_buffer_to_buffer(list, 0, readback, bytes, COUNTERS);
         let submission = gpu.queue.submit([encoder.finish()]);
         let (sender, mapped) = mpsc::channel();
-        readback.map_async(wgpu::MapMode::Read, 0..bytes, move |result| {
+        readback.map_async(wgpu::MapMode::Read, 0..bytes + COUNTERS, move |result| {
             // The receiver is gone only when the batch was given up.
             let _ = sender.send(result);
         });
@@ -156,15 +181,16 @@ impl Stream {
         Ok(Flight { slot, at, count: rays.len(), submission, mapped })
     }
 
-    fn land(&self, gpu: &Gpu, flight: &Flight, take: &mut impl FnMut(usize, &[u8])) -> Result<(), Error> {
+    fn land(&self, gpu: &Gpu, flight: &Flight, take: &mut impl FnMut(usize, &[u8], u32)) -> Result<(), Error> {
         gpu.wait(flight.submission.clone())?;
         let lost = |e: &dyn std::fmt::Display| Error::Device(format!("hits could not be read back: {e}"));
         flight.mapped.recv().map_err(|e| lost(&e))?.map_err(|e| lost(&e))?;
         let readback = &self.slots[flight.slot].readback;
         let bytes = flight.count as u64 * self.query.answer_size();
         {
-            let view = readback.get_mapped_range(0..bytes).map_err(|e| lost(&e))?;
-            take(flight.at, &view);
+            let view = readback.get_mapped_range(0..bytes + COUNTERS).map_err(|e| lost(&e))?;
+            let (answers, counters) = view.split_at(usize::try_from(bytes).unwrap_or(usize::MAX));
+            take(flight.at, answers, bytemuck::pod_read_unaligned(&counters[..4]));
         }
         readback.unmap();
         Ok(())
@@ -206,7 +232,7 @@ mod tests {
         let lists = "const STACK_SIZE: u32 = 32u;
             fn node_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }
             fn triangle_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }";
-        let kernel = Kernel { tier: Tier::Fast, query: Query::Closest, contents: Contents::Triangles };
+        let kernel = Kernel { pass: Pass::Trace(Tier::Fast), query: Query::Closest, contents: Contents::Triangles };
         let (module, _) = kernel.link(lists).validate().expect("valid");
         let params = ours(&[
             ("ray_count", offset_of!(Params, ray_count)),
@@ -225,6 +251,6 @@ mod tests {
         assert_eq!(reflect(&module, "Ray"), (ray, 32));
         assert_eq!(size_of::<Ray>(), 32);
         let entry = &module.entry_points[0];
-        assert_eq!((entry.name.as_str(), entry.workgroup_size), (kernel.query.entry(), [WORKGROUP, 1, 1]));
+        assert_eq!((entry.name.as_str(), entry.workgroup_size), (kernel.entry(), [WORKGROUP, 1, 1]));
     }
 }

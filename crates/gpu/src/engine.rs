@@ -3,22 +3,58 @@
 use std::fmt::Write as _;
 use std::sync::{Arc, Mutex};
 
+use bytemuck::Pod;
 use rayproof_scene::bvh::{Bvh, Tier};
 use rayproof_scene::{Hit, Ray};
 
 use crate::Error;
 use crate::batch::Stream;
 use crate::gpu::Gpu;
-use crate::kernel::{Contents, Kernel, Query};
+use crate::kernel::{Contents, Pass, Query, Width};
 use crate::pages::{Pages, check_bindings};
+
+/// In the place of an answer: left open. `OPEN` in `shaders/exact/list.wgsl`.
+const OPEN: u32 = 0xffff_fffe;
 
 /// A tree on a device, ready to answer.
 pub struct Engine {
     gpu: Arc<Gpu>,
     scene: OnDevice,
-    tier: Tier,
-    /// Each query's kernel and buffers, made when first asked for; one batch at a time.
-    streams: [Mutex<Option<Stream>>; 2],
+    /// What answers each query, one pass after the other.
+    passes: Passes,
+    /// Each query's kernels and buffers, made when first asked for; one batch at a time. The last is the first pass alone.
+    streams: [Mutex<Option<Stream>>; 4],
+}
+
+/// What a batch left open.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Open {
+    /// How many rays the first tier did not decide.
+    pub after_first: u64,
+    /// The numbers of the rays that have no answer: exact arithmetic has to give it. In no other tier there are any.
+    pub rays: Vec<usize>,
+}
+
+/// The passes of a tier.
+enum Passes {
+    Single(Tier),
+    Exact { first: Width, second: Width, rest: Option<Width> },
+}
+
+impl Passes {
+    fn of(&self, query: Query) -> Vec<Pass> {
+        match *self {
+            Self::Single(tier) => vec![Pass::Trace(tier)],
+            Self::Exact { first, second, rest } => {
+                let mut passes = vec![Pass::First(first), Pass::Second(second)];
+                if query == Query::Closest {
+                    passes.push(Pass::Round(second));
+                    passes.extend(rest.map(Pass::RoundRest));
+                }
+                passes
+            }
+        }
+    }
 }
 
 /// The scene's lists, as every kernel of this scene binds them.
@@ -35,55 +71,115 @@ impl Engine {
     /// Puts a tree, scaled for `tier`, on a device.
     ///
     /// # Errors
-    /// When the device cannot hold it.
+    /// When the device cannot hold it; or for the tier `exact`, when the device has no numbers for its second tier or the scene
+    /// is not [plain](Bvh::plain).
     pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, tier: Tier) -> Result<Self, Error> {
-        let scene = OnDevice::new(&gpu, bvh)?;
-        gpu.check()?;
-        Ok(Self { gpu, scene, tier, streams: Default::default() })
-    }
-
-    /// The closest hit of each ray, in the rays' order.
-    ///
-    /// # Errors
-    /// When the device fails.
-    ///
-    /// # Panics
-    /// When `rays` and `hits` differ in length.
-    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), Error> {
-        assert_eq!(rays.len(), hits.len(), "one answer a ray");
-        self.run(Query::Closest, rays, |at, bytes| {
-            let part = &mut hits[at..at + bytes.len() / 16];
-            bytemuck::cast_slice_mut(part).copy_from_slice(bytes);
-        })
-    }
-
-    /// Whether each ray hits anything: 1 or 0.
-    ///
-    /// # Errors
-    /// When the device fails.
-    ///
-    /// # Panics
-    /// When `rays` and `hits` differ in length.
-    pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<(), Error> {
-        assert_eq!(rays.len(), hits.len(), "one answer a ray");
-        self.run(Query::Any, rays, |at, bytes| {
-            for (slot, word) in hits[at..].iter_mut().zip(bytes.chunks_exact(4)) {
-                *slot = word[0];
-            }
-        })
-    }
-
-    fn run(&self, query: Query, rays: &[Ray], take: impl FnMut(usize, &[u8])) -> Result<(), Error> {
-        let mut slot =
-            self.streams[query as usize].lock().map_err(|_| Error::Device("an earlier batch panicked".to_owned()))?;
-        let stream = match &mut *slot {
-            Some(stream) => stream,
-            empty => {
-                let kernel = Kernel { tier: self.tier, query, contents: self.scene.contents };
-                empty.insert(Stream::new(&self.gpu, &self.scene, kernel)?)
+        let passes = match tier {
+            Tier::Classic | Tier::Fast => Passes::Single(tier),
+            Tier::Exact => {
+                let refused = |what: &str| Error::Device(format!("the precision exact does not run there: {what}"));
+                let wide =
+                    gpu.wide()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
+                if !bvh.plain {
+                    return Err(refused("the scene's numbers are too far apart"));
+                }
+                let is_ieee = gpu.fingerprint().is_some_and(crate::Fingerprint::is_ieee);
+                let first = if is_ieee { Width::Single } else { Width::SingleByRule };
+                Passes::Exact { first, second: wide.width, rest: wide.rest }
             }
         };
-        stream.run(&self.gpu, &self.scene, rays, take)
+        let scene = OnDevice::new(&gpu, bvh)?;
+        gpu.check()?;
+        Ok(Self { gpu, scene, passes, streams: Default::default() })
+    }
+
+    /// The closest hit of each ray, in the rays' order. Rays that are returned as open have no answer yet.
+    ///
+    /// # Errors
+    /// When the device fails.
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Open, Error> {
+        self.answer(Query::Closest, rays, hits, |hit: &Hit| (*hit, hit.primitive))
+    }
+
+    /// Whether each ray hits anything: 1 or 0. Rays that are returned as open have no answer yet.
+    ///
+    /// # Errors
+    /// When the device fails.
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<Open, Error> {
+        self.answer(Query::Any, rays, hits, |&word: &u32| (u8::from(word == 1), word))
+    }
+
+    /// How often each ray crosses the surface; for the tier `exact`. Rays that are returned as open have no answer yet.
+    ///
+    /// # Errors
+    /// When the device fails.
+    ///
+    /// # Panics
+    /// When `rays` and `counts` differ in length, or the tier is another.
+    pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Result<Open, Error> {
+        assert!(matches!(self.passes, Passes::Exact { .. }), "only the tier exact counts");
+        self.answer(Query::Count, rays, counts, |&word: &u32| (word, word))
+    }
+
+    /// Which rays the first tier of `exact` leaves open.
+    ///
+    /// # Errors
+    /// When the device fails.
+    ///
+    /// # Panics
+    /// When the tier is another.
+    pub fn open_after_first(&self, rays: &[Ray]) -> Result<Open, Error> {
+        let Passes::Exact { first, .. } = self.passes else { panic!("only the tier exact has a first tier") };
+        let mut hits = vec![Hit::MISS; rays.len()];
+        let take = |hit: &Hit| (*hit, hit.primitive);
+        self.run(&self.streams[3], Query::Closest, &[Pass::First(first)], rays, &mut hits, take)
+    }
+
+    fn answer<W: Pod, A>(
+        &self,
+        query: Query,
+        rays: &[Ray],
+        answers: &mut [A],
+        take: impl Fn(&W) -> (A, u32),
+    ) -> Result<Open, Error> {
+        self.run(&self.streams[query as usize], query, &self.passes.of(query), rays, answers, take)
+    }
+
+    /// Streams rays through passes; `take` makes an answer of what a kernel wrote, and tells the word that may say [`OPEN`].
+    fn run<W: Pod, A>(
+        &self,
+        slot: &Mutex<Option<Stream>>,
+        query: Query,
+        passes: &[Pass],
+        rays: &[Ray],
+        answers: &mut [A],
+        take: impl Fn(&W) -> (A, u32),
+    ) -> Result<Open, Error> {
+        assert_eq!(rays.len(), answers.len(), "one answer a ray");
+        let mut slot = slot.lock().map_err(|_| Error::Device("an earlier batch panicked".to_owned()))?;
+        let stream = match &mut *slot {
+            Some(stream) => stream,
+            empty => empty.insert(Stream::new(&self.gpu, &self.scene, query, passes)?),
+        };
+        let mut open = Open::default();
+        stream.run(&self.gpu, &self.scene, rays, |at, bytes, after_first| {
+            open.after_first += u64::from(after_first);
+            for ((i, answer), word) in answers.iter_mut().enumerate().skip(at).zip(bytemuck::cast_slice::<u8, W>(bytes))
+            {
+                let (found, state) = take(word);
+                *answer = found;
+                if state == OPEN {
+                    open.rays.push(i);
+                }
+            }
+        })?;
+        Ok(open)
     }
 }
 
@@ -110,10 +206,10 @@ impl OnDevice {
         let mut buffers = Vec::new();
         for (name, element, bytes, stride) in lists {
             let pages = Pages::upload(gpu, name, bytes, stride);
-            let _ = write!(accessors, "{}", pages.accessor(name, element, 3 + buffers.len()));
+            let _ = write!(accessors, "{}", pages.accessor(name, element, 4 + buffers.len()));
             buffers.extend(pages.buffers);
         }
-        check_bindings(gpu, buffers.len() + 2)?;
+        check_bindings(gpu, buffers.len() + 3)?;
         Ok(Self { contents, accessors, buffers, scale_exponent: bvh.scale_exponent, size: bvh.size })
     }
 }

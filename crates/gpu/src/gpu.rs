@@ -9,6 +9,7 @@ use crate::fingerprint::{Fingerprint, Route};
 use crate::float_controls;
 use crate::link::Linked;
 use crate::spirv::{self, FloatControls};
+use crate::wide::Wide;
 
 /// Which adapter to open.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,6 +37,9 @@ pub struct Gpu {
     fingerprint: Option<Fingerprint>,
     failure: Arc<Mutex<Option<String>>>,
     max_binding: u64,
+    has_f64: bool,
+    /// What the second tier of `exact` computes with, once measured.
+    wide: Mutex<Option<Option<Wide>>>,
     /// Kernels by their text and route: scenes share them.
     pipelines: Mutex<HashMap<(String, Route), wgpu::ComputePipeline>>,
 }
@@ -65,7 +69,8 @@ impl Gpu {
     }
 
     fn open_adapter(adapter: &wgpu::Adapter) -> Result<Self, Error> {
-        let features = adapter.features() & wgpu::Features::PASSTHROUGH_SHADERS;
+        let wanted = wgpu::Features::PASSTHROUGH_SHADERS | wgpu::Features::SHADER_F64;
+        let features = adapter.features() & wanted;
         let limits = adapter.limits();
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("rayproof"),
@@ -105,6 +110,8 @@ impl Gpu {
             fingerprint: None,
             failure,
             max_binding,
+            has_f64: features.contains(wgpu::Features::SHADER_F64),
+            wide: Mutex::default(),
             pipelines: Mutex::default(),
         })
     }
@@ -137,6 +144,26 @@ impl Gpu {
     /// more bindings than one.
     pub fn limit_binding(&mut self, bytes: u64) {
         self.max_binding = self.max_binding.min(bytes.max(256));
+    }
+
+    /// What the second tier of `exact` computes with; `None` where nothing keeps its promise, or where kernels run as plain
+    /// WGSL: no bound holds where a compiler may reassociate.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn wide(&self) -> Result<Option<Wide>, Error> {
+        if self.route != Route::ExactSpirv {
+            return Ok(None);
+        }
+        let mut known = self.wide.lock().map_err(|_| Error::Device("measuring its numbers panicked".to_owned()))?;
+        if let Some(wide) = *known {
+            return Ok(wide);
+        }
+        Ok(*known.insert(Wide::measure(self)?))
+    }
+
+    pub(crate) const fn has_f64(&self) -> bool {
+        self.has_f64
     }
 
     pub(crate) const fn limits(&self) -> &wgpu::Limits {
@@ -248,7 +275,37 @@ impl Gpu {
         })
     }
 
-    /// The layout of a kernel's buffers: uniform parameters, one read, one written, then `read` more to read.
+    /// Runs a kernel once: its parameters, what it reads, and back what it writes, `count` elements.
+    pub(crate) fn run_once<T: bytemuck::Pod>(
+        &self,
+        pipeline: &wgpu::ComputePipeline,
+        layout: &wgpu::BindGroupLayout,
+        [params, given]: [&wgpu::Buffer; 2],
+        count: usize,
+        groups: u32,
+    ) -> Result<Vec<T>, Error> {
+        use wgpu::BufferUsages as Usage;
+        let size = (count * size_of::<T>()) as u64;
+        let results = self.buffer("results", size, Usage::STORAGE | Usage::COPY_SRC);
+        let readback = self.buffer("readback", size, Usage::MAP_READ | Usage::COPY_DST);
+        let unused = self.buffer("unused", 16, Usage::STORAGE);
+        let bindings = self.bind(layout, [params, given, &results, &unused]);
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, &bindings, &[]);
+            pass.dispatch_workgroups(groups, 1, 1);
+        }
+        encoder.copy_buffer_to_buffer(&results, 0, &readback, 0, size);
+        let submission = self.queue.submit([encoder.finish()]);
+        readback.map_async(wgpu::MapMode::Read, .., |_| ());
+        self.wait(submission)?;
+        let view = readback.get_mapped_range(..).map_err(|e| Error::Device(e.to_string()))?;
+        Ok(bytemuck::pod_collect_to_vec(&view))
+    }
+
+    /// The layout of a kernel's buffers: uniform parameters, one read, two written, then `read` more to read.
     pub(crate) fn layout(&self, read: u32) -> wgpu::BindGroupLayout {
         let storage = |read_only| wgpu::BufferBindingType::Storage { read_only };
         let entry = |binding| wgpu::BindGroupLayoutEntry {
@@ -257,7 +314,7 @@ impl Gpu {
             ty: wgpu::BindingType::Buffer {
                 ty: match binding {
                     0 => wgpu::BufferBindingType::Uniform,
-                    2 => storage(false),
+                    2 | 3 => storage(false),
                     _ => storage(true),
                 },
                 has_dynamic_offset: false,
@@ -265,7 +322,7 @@ impl Gpu {
             },
             count: None,
         };
-        let entries: Vec<_> = (0..3 + read).map(entry).collect();
+        let entries: Vec<_> = (0..4 + read).map(entry).collect();
         self.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries })
     }
 

@@ -18,11 +18,13 @@ mod kernel;
 mod link;
 mod pages;
 mod spirv;
+mod wide;
 
 pub use adapter::{AdapterReport, adapters};
-pub use engine::Engine;
+pub use engine::{Engine, Open};
 pub use error::Error;
 pub use fingerprint::{Fingerprint, Route};
 pub use gpu::{Gpu, Selector};
-pub use kernel::{Contents, Kernel, Query};
+pub use kernel::{Contents, Kernel, Pass, Query, Width};
 pub use link::Linked;
+pub use wide::Wide;

@@ -44,7 +44,8 @@ impl Linked {
     pub fn validate(&self) -> Result<(naga::Module, naga::valid::ModuleInfo), Error> {
         let module = naga::front::wgsl::parse_str(&self.source)
             .map_err(|e| self.fault(e.message(), e.location(&self.source)))?;
-        let capabilities = naga::valid::Capabilities::empty();
+        // Kernels of wider numbers are run only where the device has them.
+        let capabilities = naga::valid::Capabilities::FLOAT64;
         let info = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), capabilities)
             .validate(&module)
             .map_err(|e| self.fault(&causes(e.as_inner()), e.location(&self.source)))?;

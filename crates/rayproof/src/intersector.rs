@@ -1,6 +1,7 @@
-use std::time::Instant;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::{Duration, Instant};
 
-use rayproof_gpu::{Gpu, Selector};
+use rayproof_gpu::{Gpu, Open, Selector};
 use rayproof_scene::bvh::Bvh;
 use rayproof_scene::{Hit, Ray, Scene, Undecided};
 
@@ -12,11 +13,13 @@ pub struct Intersector {
     info: DeviceInfo,
     build_seconds: f64,
     precision: Precision,
+    resolve_nanoseconds: AtomicU64,
 }
 
 enum Engine {
     Cpu(Box<rayproof_cpu::Engine>),
-    Gpu(Box<rayproof_gpu::Engine>),
+    /// With the engine that gives the tier `exact` its last answers.
+    Gpu(Box<rayproof_gpu::Engine>, Option<Box<rayproof_cpu::Engine>>),
 }
 
 impl Intersector {
@@ -25,21 +28,22 @@ impl Intersector {
     /// # Errors
     /// When the device is not there, cannot hold the scene, or fails.
     pub fn new(scene: &Scene, options: &Options) -> Result<Self, Error> {
-        let tier = options.precision;
+        let precision = options.precision;
         // The device first: a wrong name should not cost the building of a tree.
         let (gpu, note) = open(options)?;
         let start = Instant::now();
-        let bvh = Bvh::new(scene, tier.scaling())?;
+        let bvh = Bvh::new(scene, precision.scaling())?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let gpu = gpu.filter(|_| tier != Precision::Exact); // Its kernels are still to come.
-        let (engine, info) = match gpu {
-            Some(gpu) => {
-                let info = describe(&gpu);
-                (Engine::Gpu(Box::new(rayproof_gpu::Engine::new(gpu.into(), &bvh, tier)?)), info)
+        let (engine, info) = match suited(gpu, note, &bvh, precision)? {
+            Ok(gpu) => {
+                let info = describe(&gpu, precision);
+                let engine = Box::new(rayproof_gpu::Engine::new(gpu.into(), &bvh, precision)?);
+                let last = (precision == Precision::Exact).then(|| rayproof_cpu::Engine::new(bvh, precision).into());
+                (Engine::Gpu(engine, last), info)
             }
-            None => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, tier))), cpu_info(note)),
+            Err(note) => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, precision))), cpu_info(note)),
         };
-        Ok(Self { engine, info, build_seconds, precision: tier })
+        Ok(Self { engine, info, build_seconds, precision, resolve_nanoseconds: AtomicU64::new(0) })
     }
 
     /// The device that answers.
@@ -65,7 +69,10 @@ impl Intersector {
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error> {
         match &self.engine {
             Engine::Cpu(engine) => Ok(engine.closest(rays, hits)),
-            Engine::Gpu(engine) => Ok(engine.closest(rays, hits).map(|()| Undecided::default())?),
+            Engine::Gpu(engine, last) => {
+                let open = engine.closest(rays, hits)?;
+                Ok(self.resolve(last.as_deref(), &open, rays, hits, Hit::MISS, rayproof_cpu::Engine::closest))
+            }
         }
     }
 
@@ -79,7 +86,10 @@ impl Intersector {
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<Undecided, Error> {
         match &self.engine {
             Engine::Cpu(engine) => Ok(engine.any(rays, hits)),
-            Engine::Gpu(engine) => Ok(engine.any(rays, hits).map(|()| Undecided::default())?),
+            Engine::Gpu(engine, last) => {
+                let open = engine.any(rays, hits)?;
+                Ok(self.resolve(last.as_deref(), &open, rays, hits, 0, rayproof_cpu::Engine::any))
+            }
         }
     }
 
@@ -95,7 +105,10 @@ impl Intersector {
         self.check_exact()?;
         match &self.engine {
             Engine::Cpu(engine) => Ok(engine.count(rays, counts)),
-            Engine::Gpu(_) => unreachable!(),
+            Engine::Gpu(engine, last) => {
+                let open = engine.count(rays, counts)?;
+                Ok(self.resolve(last.as_deref(), &open, rays, counts, 0, rayproof_cpu::Engine::count))
+            }
         }
     }
 
@@ -110,7 +123,15 @@ impl Intersector {
         self.check_exact()?;
         match &self.engine {
             Engine::Cpu(engine) => engine.deciding_tiers(rays, tiers),
-            Engine::Gpu(_) => unreachable!(),
+            Engine::Gpu(engine, _) => {
+                tiers.fill(1);
+                for i in engine.open_after_first(rays)?.rays {
+                    tiers[i] = 2;
+                }
+                for i in engine.closest(rays, &mut vec![Hit::MISS; rays.len()])?.rays {
+                    tiers[i] = 3;
+                }
+            }
         }
         Ok(())
     }
@@ -118,12 +139,57 @@ impl Intersector {
     /// Seconds so far for which a device waited for exact arithmetic on the CPU; the CPU engine's own are part of its tracing.
     #[must_use]
     pub fn resolve_seconds(&self) -> f64 {
-        0.0
+        Duration::from_nanos(self.resolve_nanoseconds.load(Relaxed)).as_secs_f64()
     }
 
     fn check_exact(&self) -> Result<(), Error> {
         if self.precision == Precision::Exact { Ok(()) } else { Err(Error::NotExact) }
     }
+
+    /// Gives the rays that a device left open their answers, on the CPU.
+    fn resolve<A: Copy>(
+        &self,
+        last: Option<&rayproof_cpu::Engine>,
+        open: &Open,
+        rays: &[Ray],
+        answers: &mut [A],
+        miss: A,
+        ask: impl Fn(&rayproof_cpu::Engine, &[Ray], &mut [A]) -> Undecided,
+    ) -> Undecided {
+        let Some(last) = last else { return Undecided::default() };
+        let start = Instant::now();
+        let left: Vec<Ray> = open.rays.iter().map(|&i| rays[i]).collect();
+        let mut found = vec![miss; left.len()];
+        ask(last, &left, &mut found);
+        for (&i, found) in open.rays.iter().zip(found) {
+            answers[i] = found;
+        }
+        let nanoseconds = u64::try_from(start.elapsed().as_nanos()).unwrap_or(u64::MAX);
+        self.resolve_nanoseconds.fetch_add(nanoseconds, Relaxed);
+        let left = left.len() as u64;
+        Undecided { first_tier: open.after_first, after_refine: left, resolved_on_cpu: left }
+    }
+}
+
+/// The device, where the tier runs on it with this scene; else why the CPU engine takes its place, if there was one.
+fn suited(
+    gpu: Option<Gpu>,
+    note: Option<String>,
+    bvh: &Bvh,
+    precision: Precision,
+) -> Result<Result<Gpu, Option<String>>, Error> {
+    let Some(gpu) = gpu else { return Ok(Err(note)) };
+    if precision != Precision::Exact {
+        return Ok(Ok(gpu));
+    }
+    let reason = if !bvh.plain {
+        "the scene's numbers are too far apart for bounds in f32"
+    } else if gpu.wide()?.is_none() {
+        "no bound holds for its arithmetic; see `rayproof devices`"
+    } else {
+        return Ok(Ok(gpu));
+    };
+    Ok(Err(Some(format!("{} is not used: {reason}; the answers are as exact", gpu.name()))))
 }
 
 /// The device to run on; `None` for the CPU engine, with the reason where it is the fallback.
@@ -148,9 +214,10 @@ fn cpu_info(note: Option<String>) -> DeviceInfo {
     }
 }
 
-fn describe(gpu: &Gpu) -> DeviceInfo {
+fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
     let mut notes = Vec::new();
     if let Some(fingerprint) = gpu.fingerprint()
+        && precision != Precision::Exact
         && !fingerprint.is_ieee()
     {
         notes.push(format!(

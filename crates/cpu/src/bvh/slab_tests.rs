@@ -101,7 +101,7 @@ fn node(t: &Touch, slot: usize) -> WideNode {
 #[test]
 fn every_box_that_is_touched_is_met() {
     for (i, t) in touches().iter().enumerate() {
-        let params = Params { scene_exponent: 0, scene_size: t.size, plain: true };
+        let params = Params { scene_exponent: 0, scene_size: t.size, plain: true, spheres: false };
         // The range shrunk to the touch itself, and the ray from beyond it looking back.
         for (direction, s) in [(t.direction, t.s), (-t.direction, -t.s)] {
             let ray = box_ray(&params, t.origin.into(), direction.into(), s);
@@ -216,7 +216,7 @@ fn boxes_far_from_the_ray_are_not_met() {
     // The pad is no blanket: a box a thousandth of its distance aside is left out.
     let mut left_out = 0;
     for t in touches() {
-        let params = Params { scene_exponent: 0, scene_size: t.size, plain: true };
+        let params = Params { scene_exponent: 0, scene_size: t.size, plain: true, spheres: false };
         let aside = t.direction.cross(Vec3::new(0.3, 0.7, 0.1)).normalize_or_zero() * t.size * 8.0;
         let ray = box_ray(&params, (t.origin + aside).into(), t.direction.into(), f32::NEG_INFINITY);
         left_out += usize::from(child_keys(&ray, &node(&t, 0), FARTHEST).met == 0);

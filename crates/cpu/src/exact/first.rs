@@ -4,7 +4,8 @@ use glam::Vec4;
 use rayproof_scene::{MISS, Sphere};
 
 use super::candidate::Candidate;
-use super::ray::{FirstRay, Splat as _};
+use super::ray::FirstRay;
+use super::triangle::Estimate;
 use super::{sphere, triangle};
 use crate::bvh::slab::FARTHEST;
 use crate::bvh::traverse::Found;
@@ -35,6 +36,11 @@ impl<const ANY: bool> First<ANY> {
     #[inline(always)]
     pub(crate) fn decided(&self) -> bool {
         (ANY && self.slot != MISS) || self.high < self.doubt
+    }
+
+    /// Between which `t` the hit lies, if there is one.
+    pub(crate) fn window(&self) -> [f32; 2] {
+        [self.low.min(self.doubt), self.high]
     }
 
     #[inline(always)]
@@ -101,7 +107,7 @@ impl Found for Crossings {
 /// The triangles of a leaf that are not certainly missed.
 #[inline(always)]
 fn open_triangles(leaf: &Triangles4, ray: &FirstRay, word: u32, mut take: impl FnMut(Candidate<f32>, usize)) {
-    let line = ray.triangle.lanes();
+    let line = ray.line.lanes();
     let sides = triangle::sides(&line, &leaf.corners);
     let lanes = 0b1111 >> (3 - ((word >> 28) & 3));
     let mut left = !triangle::misses(&sides).bitmask() & lanes;
@@ -109,7 +115,7 @@ fn open_triangles(leaf: &Triangles4, ray: &FirstRay, word: u32, mut take: impl F
         return;
     }
     let crosses = triangle::crosses(&sides);
-    let (clear, t, off) = triangle::plane_t(&line, &sides, leaf.corners.edge);
+    let Estimate { clear, value: t, off } = triangle::plane_t(&line, &sides, leaf.corners.edge);
     let low = Vec4::select(clear, t - off, Vec4::splat(-FARTHEST));
     let high = Vec4::select(clear, t + off, Vec4::splat(FARTHEST));
     let certain = (crosses & clear).bitmask();
@@ -129,9 +135,15 @@ pub(crate) fn intersect_triangles<const ANY: bool>(
     mut found: First<ANY>,
 ) -> First<ANY> {
     let index = leaf_range(word).start;
-    open_triangles(&leaves[index], ray, word, |candidate, k| {
-        found = found.merge(ray, candidate, (index * 4 + k) as u32);
-    });
+    open_triangles(
+        &leaves[index],
+        ray,
+        word,
+        #[inline(always)]
+        |candidate, k| {
+            found = found.merge(ray, candidate, (index * 4 + k) as u32);
+        },
+    );
     found
 }
 
@@ -144,7 +156,7 @@ pub(crate) fn count_triangles(leaves: &[Triangles4], ray: &FirstRay, word: u32, 
 /// The chord of a sphere that is not certainly missed.
 #[inline(always)]
 fn open_chord(ray: &FirstRay, &Sphere { center, radius }: &Sphere) -> Option<sphere::Chord<f32>> {
-    let chord = sphere::chord(&ray.sphere, Vector::from(center.to_array()), radius);
+    let chord = sphere::chord(&ray.line, Vector::from(center.to_array()), radius);
     (!chord.misses).then_some(chord)
 }
 

@@ -10,6 +10,7 @@
 
 pub(crate) mod candidate;
 pub(crate) mod first;
+pub(crate) mod line;
 pub(crate) mod ray;
 pub(crate) mod resolve;
 mod ring;

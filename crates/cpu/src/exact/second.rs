@@ -10,8 +10,9 @@ use std::cmp::Ordering;
 use rayproof_scene::{MISS, Ray};
 
 use super::candidate::Candidate;
-use super::ray::{sphere_line, triangle_line};
+use super::line::Line;
 use super::resolve::{self, Shape};
+use super::triangle::Estimate;
 use super::{sphere, triangle};
 use crate::bvh::slab::WideNode;
 use crate::lanes::Corners;
@@ -28,13 +29,13 @@ const LEAF: u32 = 1 << 31;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SecondRay {
     pub(crate) exact: resolve::Ray,
-    pub(crate) triangle: triangle::Line<f64>,
-    pub(crate) sphere: sphere::Line<f64>,
+    pub(crate) line: Line<f64>,
 }
 
 impl SecondRay {
-    /// `scale` is what the scene was multiplied by.
-    pub(crate) fn new(ray: &Ray, scale: f64) -> Self {
+    /// `scale` is what the scene was multiplied by; `spheres` tells whether one may be asked about.
+    #[inline(always)]
+    pub(crate) fn new(ray: &Ray, scale: f64, spheres: bool) -> Self {
         let origin = ray.origin.as_dvec3() * scale;
         let direction = ray.direction.as_dvec3();
         let exact = resolve::Ray {
@@ -44,11 +45,7 @@ impl SecondRay {
             t_max: f64::from(ray.t_max) * scale,
         };
         let (origin, direction) = (Vector::from(exact.origin), Vector::from(exact.direction));
-        Self {
-            exact,
-            triangle: triangle_line(ROUNDOFF, origin, direction, 0.0),
-            sphere: sphere_line(ROUNDOFF, origin, direction, 0.0),
-        }
+        Self { exact, line: Line::new(ROUNDOFF, origin, direction, [0.0; 2], spheres) }
     }
 }
 
@@ -58,12 +55,12 @@ fn candidate(ray: &SecondRay, shape: &Shape) -> Option<Candidate<f64>> {
         Shape::Triangle(_) => {
             let (sides, edge) = sides(ray, shape)?;
             let crosses = triangle::crosses(&sides);
-            let (clear, t, off) = triangle::plane_t(&ray.triangle, &sides, edge);
+            let Estimate { clear, value: t, off } = triangle::plane_t(&ray.line, &sides, edge);
             let open = Candidate { certain: false, low: f64::NEG_INFINITY, high: f64::INFINITY };
             Some(if clear { Candidate { certain: crosses, ..Candidate::at(t, off) } } else { open })
         }
         Shape::Sphere { center, radius } => {
-            let chord = sphere::chord(&ray.sphere, center.into(), radius);
+            let chord = sphere::chord(&ray.line, center.into(), radius);
             (!chord.misses).then(|| Candidate::first_root(&chord, ray.exact.t_min))
         }
     }
@@ -75,7 +72,7 @@ fn sides(ray: &SecondRay, shape: &Shape) -> Option<(triangle::Sides<f64>, f64)> 
     let [a, b, c] = [a, b, c].map(Vector::from);
     // Rounded up by more than the two roundings cost.
     let edge = (b - a).largest().max((c - a).largest()) * (1.0 + 4.0 * f64::EPSILON);
-    let sides = triangle::sides(&ray.triangle, &Corners { a, b, c, edge });
+    let sides = triangle::sides(&ray.line, &Corners { a, b, c, edge });
     (!triangle::misses(&sides)).then_some((sides, edge))
 }
 
@@ -88,16 +85,18 @@ struct Winner {
     high: f64,
 }
 
-/// The primitive that is hit first, by its place in the leaves, or [`MISS`]; where `ANY`, one that is hit. `doubts` counts the
-/// questions that only exact arithmetic could answer.
+/// The primitive that is hit first, by its place in the leaves, or [`MISS`]; where `ANY`, one that is hit. The first tier left
+/// nothing open but what lies in `window`. `doubts` counts the questions that only exact arithmetic could answer.
 pub(crate) fn closest<const ANY: bool>(
     nodes: &[WideNode],
     primitives: &Primitives,
     ray: &SecondRay,
+    window: [f64; 2],
     doubts: &mut u32,
 ) -> u32 {
     let mut winner: Option<Winner> = None;
-    walk(nodes, ray, |word| {
+    let window = [ray.exact.t_min.max(window[0]), ray.exact.t_max.min(window[1])];
+    walk(nodes, ray, window, |word| {
         for slot in slots(word) {
             let shape = primitives.shape(slot);
             let Some(found) = candidate(ray, &shape) else { continue };
@@ -121,7 +120,7 @@ pub(crate) fn closest<const ANY: bool>(
                 return f64::NEG_INFINITY;
             }
         }
-        winner.map_or(ray.exact.t_max, |w| w.high)
+        winner.map_or(window[1], |w| w.high)
     });
     winner.map_or(MISS, |w| w.slot)
 }
@@ -143,7 +142,7 @@ fn goes_first(primitives: &Primitives, ray: &SecondRay, found: &Winner, before: 
 pub(crate) fn count(nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
     let resolve::Ray { t_min, t_max, .. } = ray.exact;
     let mut count = 0;
-    walk(nodes, ray, |word| {
+    walk(nodes, ray, [t_min, t_max], |word| {
         for slot in slots(word) {
             let shape = primitives.shape(slot);
             count += match certain_count(ray, &shape) {
@@ -156,7 +155,6 @@ pub(crate) fn count(nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay
         }
         t_max
     });
-    debug_assert!(t_min <= t_max);
     count
 }
 
@@ -170,7 +168,7 @@ fn certain_count(ray: &SecondRay, shape: &Shape) -> Option<u32> {
     match *shape {
         Shape::Triangle(_) => candidate(ray, shape).as_ref().map_or(Some(0), certain),
         Shape::Sphere { center, radius } => {
-            let chord = sphere::chord(&ray.sphere, center.into(), radius);
+            let chord = sphere::chord(&ray.line, center.into(), radius);
             if chord.misses {
                 return Some(0);
             }
@@ -189,13 +187,14 @@ fn slots(word: u32) -> impl Iterator<Item = u32> {
 }
 
 /// Calls `leaf` with the words of the leaves whose boxes the ray meets, roughly from near to far; it returns beyond which `t'`
-/// nothing more is of interest.
+/// nothing more is of interest. Boxes outside the `window` are not met.
 ///
-/// A plane is off by two roundings relative to its `t'`, which the pad covers; an axis along which the ray does not move is
+/// A plane is off by three roundings relative to its `t'`, which the pad covers; an axis along which the ray does not move is
 /// compared as it is. Scaling a subnormal down rounds, by less than `2^-148`: the boxes grow by that.
-fn walk(nodes: &[WideNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
-    let mut reach = ray.exact.t_max;
-    let mut stack = vec![(f64::NEG_INFINITY, 0)];
+fn walk(nodes: &[WideNode], ray: &SecondRay, [start, mut reach]: [f64; 2], mut leaf: impl FnMut(u32) -> f64) {
+    let inverse = ray.exact.direction.map(|d| 1.0 / d);
+    let mut stack = Vec::with_capacity(64);
+    stack.push((f64::NEG_INFINITY, 0));
     while let Some((enter, word)) = stack.pop() {
         if enter > reach {
             continue;
@@ -211,7 +210,7 @@ fn walk(nodes: &[WideNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
             if word == MISS {
                 continue;
             }
-            if let Some(enter) = entered(&ray.exact, node.child_box(k), reach) {
+            if let Some(enter) = entered(&ray.exact, inverse, node.child_box(k), [start, reach]) {
                 stack.push((enter, word));
             }
         }
@@ -220,10 +219,10 @@ fn walk(nodes: &[WideNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
 }
 
 /// Where a box is entered, at the earliest; `None` where it is missed.
-fn entered(ray: &resolve::Ray, [low, high]: [[f32; 3]; 2], reach: f64) -> Option<f64> {
+fn entered(ray: &resolve::Ray, inverse: [f64; 3], [low, high]: [[f32; 3]; 2], window: [f64; 2]) -> Option<f64> {
     const GROW: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 74) as f64;
     const PAD: f64 = 1.0 / (1_u64 << 50) as f64;
-    let (mut enter, mut leave) = (ray.t_min, reach);
+    let [mut enter, mut leave] = window;
     for axis in 0..3 {
         let (low, high) = (f64::from(low[axis]) - GROW, f64::from(high[axis]) + GROW);
         let (o, d) = (ray.origin[axis], ray.direction[axis]);
@@ -234,7 +233,7 @@ fn entered(ray: &resolve::Ray, [low, high]: [[f32; 3]; 2], reach: f64) -> Option
             continue;
         }
         let (near, far) = if d > 0.0 { (low, high) } else { (high, low) };
-        let (near, far) = ((near - o) / d, (far - o) / d);
+        let (near, far) = ((near - o) * inverse[axis], (far - o) * inverse[axis]);
         enter = enter.max(near - near.abs() * PAD);
         leave = leave.min(far + far.abs() * PAD);
     }

@@ -1,22 +1,7 @@
-//! Twin of `shaders/exact/sphere.wgsl` and of `shaders/exact/wide/sphere.wgsl`.
+//! Twin of `shaders/exact/sphere.wgsl`, where the bounds are derived.
 
+use super::line::Line;
 use crate::number::{Number, Vector, dot3};
-
-/// A ray as certificates of spheres take it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Line<N> {
-    pub(crate) origin: Vector<N>,
-    pub(crate) direction: Vector<N>,
-    /// `1 / d.d`.
-    pub(crate) inverse_a: N,
-    /// `28 u`, and `28 u / |d|`.
-    pub(crate) foot_error: N,
-    pub(crate) middle_error: N,
-    /// `12 u`.
-    pub(crate) round_error: N,
-    /// More than all that underflows.
-    pub(crate) tiny: N,
-}
 
 /// What is known of a line and a sphere.
 #[derive(Clone, Copy, Debug)]
@@ -42,14 +27,14 @@ pub(crate) fn chord<N: Number>(ray: &Line<N>, center: Vector<N>, radius: N) -> C
     let square = rr - dot3(l, l);
     let far = o.largest();
     let foot = far * ray.foot_error;
-    let off_square = (radius + radius + foot) * foot + rr * ray.round_error + ray.tiny;
-    let off_middle = far * ray.middle_error + ray.tiny;
+    let off_square = (radius + radius + foot) * foot + rr * ray.root_error + ray.tiny_sphere;
+    let off_middle = far * ray.middle_error + ray.tiny_sphere;
     let misses = (square + off_square).less(zero);
     let enters = (off_square + off_square).less(square);
     // Where it is not certain that the line enters, the longest chord there may be.
     let longest = square.max(zero) + off_square;
     let half = (N::select(enters, square, longest) * ray.inverse_a).sqrt();
     let off_half = N::select(enters, off_square * ray.inverse_a / N::select(enters, half, N::constant(1.0)), zero);
-    let off = off_middle + off_half * N::constant(1.0625) + half * ray.round_error + middle.abs() * ray.round_error;
+    let off = off_middle + off_half * N::constant(1.0625) + (half * ray.root_error + middle.abs() * ray.root_error);
     Chord { misses, enters, middle, half, off }
 }

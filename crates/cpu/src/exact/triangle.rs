@@ -1,22 +1,8 @@
-//! Twin of `shaders/exact/triangle.wgsl` (in `f32`, four abreast) and of `shaders/exact/wide/triangle.wgsl`.
+//! Twin of `shaders/exact/triangle.wgsl`, where the bounds are derived; in `f32` four triangles abreast.
 
+use super::line::Line;
 use crate::lanes::Corners;
 use crate::number::{Number, Vector, cross3, dot3};
-
-/// A ray as certificates of triangles take it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Line<N> {
-    pub(crate) origin: Vector<N>,
-    pub(crate) direction: Vector<N>,
-    /// `20 u (|d_x| + |d_y| + |d_z|)`.
-    pub(crate) side_error: N,
-    /// `54 u`.
-    pub(crate) plane_error: N,
-    /// More than all that underflows.
-    pub(crate) tiny: N,
-    /// `8 u`.
-    pub(crate) round_error: N,
-}
 
 /// The three edge functions and what they may be off by.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +33,8 @@ pub(crate) fn sides<N: Number>(ray: &Line<N>, &Corners { a, b, c, edge }: &Corne
     let w = determinant - u - v;
     let far = p.largest();
     let side = ray.side_error * edge;
-    let bound = side * far + ray.tiny;
-    let bound_determinant = side * edge + ray.tiny;
+    let bound = side * far + ray.tiny_triangle;
+    let bound_determinant = side * edge + ray.tiny_triangle;
     let bound_w = bound + bound + bound_determinant;
     Sides { p, n, far, u, v, w, determinant, bound, bound_w, bound_determinant }
 }
@@ -71,24 +57,25 @@ pub(crate) fn crosses<N: Number>(s: &Sides<N>) -> N::Mask {
     zero.less(low) | high.less(zero)
 }
 
-/// `t` of the point in the plane and what it may be off by; the mask holds where the determinant is clear of zero.
-#[inline(always)]
-pub(crate) fn plane_t<N: Number>(ray: &Line<N>, s: &Sides<N>, edge: N) -> (N::Mask, N, N) {
-    let size = s.determinant.abs();
-    let clear = (s.bound_determinant * N::constant(4.0)).less(size);
-    let inverse = N::constant(1.0) / N::select(clear, s.determinant, N::constant(1.0));
-    let t = dot3(s.n, s.p) * inverse;
-    let bound = ray.plane_error * edge * edge * s.far + ray.tiny;
-    let off = (bound + t.abs() * s.bound_determinant) * inverse.abs() * N::constant(1.375) + t.abs() * ray.round_error;
-    (clear, t, off)
+/// A number and what it may be off by; neither means anything but where the determinant is clear of zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Estimate<N: Number> {
+    pub(crate) clear: N::Mask,
+    pub(crate) value: N,
+    pub(crate) off: N,
 }
 
-/// `u` or `v` and what it may be off by, where the determinant is clear of zero.
 #[inline(always)]
-pub(crate) fn weight<N: Number>(ray: &Line<N>, s: &Sides<N>, numerator: N) -> (N, N) {
-    let inverse = N::constant(1.0) / s.determinant;
-    let x = numerator * inverse;
-    let off =
-        (s.bound + x.abs() * s.bound_determinant) * inverse.abs() * N::constant(1.375) + x.abs() * ray.round_error;
-    (x, off)
+pub(crate) fn quotient<N: Number>(ray: &Line<N>, s: &Sides<N>, numerator: N, bound: N) -> Estimate<N> {
+    let clear = (s.bound_determinant * N::constant(4.0)).less(s.determinant.abs());
+    let inverse = N::constant(1.0) / N::select(clear, s.determinant, N::constant(1.0));
+    let value = numerator * inverse;
+    let relative = (bound + value.abs() * s.bound_determinant) * inverse.abs() * N::constant(1.375);
+    Estimate { clear, value, off: relative + value.abs() * ray.round_error }
+}
+
+#[inline(always)]
+pub(crate) fn plane_t<N: Number>(ray: &Line<N>, s: &Sides<N>, edge: N) -> Estimate<N> {
+    let bound = ray.plane_error * edge * edge * s.far + ray.tiny_triangle;
+    quotient(ray, s, dot3(s.n, s.p), bound)
 }

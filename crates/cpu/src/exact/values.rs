@@ -1,13 +1,12 @@
-//! Twin of `shaders/exact/values.wgsl`: `t`, `u` and `v` of a hit, rounded to the nearest `f32`.
+//! Twin of `shaders/exact/round/`: `t`, `u` and `v` of a hit, rounded to the nearest `f32`.
 //!
 //! A value `q` known within `off` rounds as the exact one does where `q - off` and `q + off` round alike.
 
-use rayproof_scene::Hit;
-
 use super::candidate::Candidate;
-use super::ray::{sphere_line, triangle_line};
+use super::line::Line;
 use super::resolve::{self, Shape};
 use super::second::SecondRay;
+use super::triangle::Estimate;
 use super::two::{self, Two};
 use super::{sphere, triangle};
 use crate::lanes::Corners;
@@ -53,70 +52,55 @@ impl Wide for Two {
     }
 }
 
-/// A line in both forms that certificates take, and where its range begins.
-struct Line<N> {
-    triangle: triangle::Line<N>,
-    sphere: sphere::Line<N>,
-    t_min: N,
-    /// What turns `t'` into `t`.
-    inverse: f64,
+/// `2^n`, well within the range of `f64`.
+#[inline(always)]
+fn power_of_two(n: i32) -> f64 {
+    f64::from_bits(u64::from((n + 1023).unsigned_abs()) << 52)
 }
 
-/// The hit of a primitive that is hit in range; `doubts` counts what only exact arithmetic could round.
+/// `t`, `u` and `v` of a primitive that is hit in range; `doubts` counts what only exact arithmetic could round.
 #[inline(always)]
-pub(crate) fn round(ray: &SecondRay, shape: &Shape, primitive: u32, exponent: i32, doubts: &mut u32) -> Hit {
-    let inverse = 2.0_f64.powi(-exponent);
-    let line = Line { triangle: ray.triangle, sphere: ray.sphere, t_min: ray.exact.t_min, inverse };
-    let [t, u, v] = rounded(&line, shape).unwrap_or_else(|| round_twice(ray, shape, exponent, doubts));
-    Hit { t, u, v, primitive }
+pub(crate) fn round(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut u32) -> [f32; 3] {
+    let inverse = power_of_two(-exponent);
+    rounded(&ray.line, ray.exact.t_min, shape, inverse).unwrap_or_else(|| round_again(ray, shape, exponent, doubts))
 }
 
 /// The same for the few that `f64` leaves open.
 #[cold]
-fn round_twice(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut u32) -> [f32; 3] {
-    let (origin, direction) = (ray.triangle.origin.map(Two::from), ray.triangle.direction.map(Two::from));
-    let line = Line {
-        triangle: triangle_line(two::ROUNDOFF, origin, direction, Two::from(0.0)),
-        sphere: sphere_line(two::ROUNDOFF, origin, direction, Two::from(0.0)),
-        t_min: ray.exact.t_min.into(),
-        inverse: 2.0_f64.powi(-exponent),
-    };
-    rounded(&line, shape).unwrap_or_else(|| {
+fn round_again(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut u32) -> [f32; 3] {
+    let (origin, direction) = (ray.line.origin.map(Two::from), ray.line.direction.map(Two::from));
+    let spheres = matches!(shape, Shape::Sphere { .. });
+    let line = Line::new(two::ROUNDOFF, origin, direction, [Two::from(0.0); 2], spheres);
+    rounded(&line, ray.exact.t_min.into(), shape, power_of_two(-exponent)).unwrap_or_else(|| {
         *doubts += 1;
         resolve::rounded(&ray.exact, shape, -exponent, [0.0; 3])
     })
 }
 
+/// `inverse` turns `t'` into `t`.
 #[inline(always)]
-fn rounded<N: Wide>(line: &Line<N>, shape: &Shape) -> Option<[f32; 3]> {
+fn rounded<N: Wide>(line: &Line<N>, t_min: N, shape: &Shape, inverse: f64) -> Option<[f32; 3]> {
     match *shape {
         Shape::Triangle([a, b, c]) => {
             let [a, b, c] = [a, b, c].map(|p| Vector::from(p).map(N::of));
             let edge = (b - a).largest().max((c - a).largest()) * N::constant(1.000_001);
-            let sides = triangle::sides(&line.triangle, &Corners { a, b, c, edge });
-            let (clear, t, off) = triangle::plane_t(&line.triangle, &sides, edge);
-            if !clear {
-                return None;
-            }
-            let t = settled(t, off, line.inverse)?;
-            let weight = |x: N| {
-                let (x, off) = triangle::weight(&line.triangle, &sides, x);
-                settled(x, off, 1.0)
-            };
-            Some([t, weight(sides.u)?, weight(sides.v)?])
+            let sides = triangle::sides(line, &Corners { a, b, c, edge });
+            let t = triangle::plane_t(line, &sides, edge);
+            let [u, v] = [sides.u, sides.v].map(|x| triangle::quotient(line, &sides, x, sides.bound));
+            t.clear.then_some([settled(t, inverse)?, settled(u, 1.0)?, settled(v, 1.0)?])
         }
         Shape::Sphere { center, radius } => {
-            let chord = sphere::chord(&line.sphere, Vector::from(center).map(N::of), N::of(radius));
-            let Candidate { certain, low, high } = Candidate::first_root(&chord, line.t_min);
-            let (low, high) = (low.nearest(line.inverse), high.nearest(line.inverse));
+            let chord = sphere::chord(line, Vector::from(center).map(N::of), N::of(radius));
+            let Candidate { certain, low, high } = Candidate::first_root(&chord, t_min);
+            let (low, high) = (low.nearest(inverse), high.nearest(inverse));
             (certain && low == high).then_some([low, 0.0, 0.0])
         }
     }
 }
 
-/// What a value within `off` of `q` rounds to, where there is no choice.
+/// What a value rounds to, where there is no choice.
 #[inline(always)]
-fn settled<N: Wide>(q: N, off: N, inverse: f64) -> Option<f32> {
-    let (low, high) = ((q - off).nearest(inverse), (q + off).nearest(inverse));
+fn settled<N: Wide>(Estimate { value, off, .. }: Estimate<N>, inverse: f64) -> Option<f32> {
+    let (low, high) = ((value - off).nearest(inverse), (value + off).nearest(inverse));
     (low == high).then_some(low)
 }

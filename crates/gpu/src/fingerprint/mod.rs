@@ -208,25 +208,9 @@ fn run(gpu: &Gpu, route: Route, pairs: &[[f32; 2]]) -> Result<Vec<Results>, Erro
     let layout = gpu.layout(0);
     let pipeline = gpu.pipeline(&linked, "fingerprint", &layout, route)?;
     let count = u32::try_from(pairs.len()).unwrap_or(u32::MAX);
-    let size = (pairs.len() * size_of::<Results>()) as u64;
     let params = gpu.buffer_with("count", bytemuck::cast_slice(&[count, 0, 0, 0]), Usage::UNIFORM);
     let given = gpu.buffer_with("pairs", bytemuck::cast_slice(pairs), Usage::STORAGE);
-    let results = gpu.buffer("results", size, Usage::STORAGE | Usage::COPY_SRC);
-    let readback = gpu.buffer("readback", size, Usage::MAP_READ | Usage::COPY_DST);
-    let bindings = gpu.bind(&layout, [&params, &given, &results]);
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    {
-        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &bindings, &[]);
-        pass.dispatch_workgroups(count.div_ceil(64), 1, 1);
-    }
-    encoder.copy_buffer_to_buffer(&results, 0, &readback, 0, size);
-    let submission = gpu.queue.submit([encoder.finish()]);
-    readback.map_async(wgpu::MapMode::Read, .., |_| ());
-    gpu.wait(submission)?;
-    let view = readback.get_mapped_range(..).map_err(|e| Error::Device(e.to_string()))?;
-    Ok(bytemuck::pod_collect_to_vec(&view))
+    gpu.run_once(&pipeline, &layout, [&params, &given], pairs.len(), count.div_ceil(64))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
 use super::Scaling;
-use crate::{Geometry, Scene, Sphere};
+use crate::{Geometry, Mesh, Scene, Sphere};
 
 /// A triangle by value, with its flat number. 48 bytes, as on the device.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -93,9 +93,9 @@ impl Packed {
         for geometry in scene.geometries() {
             match geometry {
                 Geometry::Mesh(mesh) => {
-                    (0..mesh.triangles.len()).map(|i| mesh.triangle(i)).zip(&mut triangles).for_each(|(t, packed)| {
-                        [(t.a, packed.a), (t.b, packed.b), (t.c, packed.c)].into_iter().for_each(|(x, y)| see(x, y));
-                    })
+                    solid(mesh).zip(&mut triangles).for_each(|((_, corners), packed)| {
+                        corners.into_iter().zip([packed.a, packed.b, packed.c]).for_each(|(x, y)| see(x, y));
+                    });
                 }
                 Geometry::Spheres(all) => all.iter().zip(&mut spheres).for_each(|(s, packed)| {
                     see(s.center, packed.center);
@@ -112,10 +112,9 @@ impl Packed {
         let (first, second) = power_factors(self.scale_exponent);
         let scaled = |v: Vec3| v * first * second;
         match geometry {
-            Geometry::Mesh(mesh) => self.triangles.extend((0..mesh.triangles.len()).map(|i| {
-                let t = mesh.triangle(i);
-                PackedTriangle::new([t.a, t.b, t.c].map(scaled), (start + i) as u32)
-            })),
+            Geometry::Mesh(mesh) => self
+                .triangles
+                .extend(solid(mesh).map(|(i, corners)| PackedTriangle::new(corners.map(scaled), (start + i) as u32))),
             Geometry::Spheres(spheres) => {
                 self.spheres.extend(
                     spheres.iter().map(|s| Sphere { center: scaled(s.center), radius: s.radius * first * second }),
@@ -147,14 +146,17 @@ impl Packed {
     }
 }
 
+/// The triangles that can be hit, with their places in the mesh: one with two equal corners has no inside.
+fn solid(mesh: &Mesh) -> impl Iterator<Item = (usize, [Vec3; 3])> {
+    let corners = (0..mesh.triangles.len()).map(|i| mesh.triangle(i)).map(|t| [t.a, t.b, t.c]);
+    corners.enumerate().filter(|(_, [a, b, c])| a != b && b != c && c != a)
+}
+
 fn originals(scene: &Scene) -> Originals {
     let mut all = Originals::default();
     for geometry in scene.geometries() {
         match geometry {
-            Geometry::Mesh(mesh) => all.triangles.extend((0..mesh.triangles.len()).map(|i| {
-                let t = mesh.triangle(i);
-                [t.a, t.b, t.c]
-            })),
+            Geometry::Mesh(mesh) => all.triangles.extend(solid(mesh).map(|(_, corners)| corners)),
             Geometry::Spheres(spheres) => all.spheres.extend(spheres),
         }
     }
@@ -264,7 +266,6 @@ fn power_of_two_above(x: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Mesh;
 
     fn scene_of(coordinates: &[f32]) -> Scene {
         let vertices = coordinates.iter().map(|&x| Vec3::new(x, 0.0, 0.0)).collect();

@@ -1,0 +1,182 @@
+//! Which numbers the second tier computes with: what keeps its promise on this device, and of two that do the faster.
+
+use std::time::Instant;
+
+use bytemuck::{Pod, Zeroable};
+
+use crate::Error;
+use crate::fingerprint::Route;
+use crate::gpu::Gpu;
+use crate::kernel::{Width, shaders};
+use crate::link::Linked;
+
+/// Pairs of numbers tried.
+const PAIRS: usize = 1 << 12;
+/// Rounds of arithmetic a pair where the time is taken.
+const ROUNDS: u32 = 1 << 8;
+
+/// The numbers of a device's second tier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wide {
+    /// For everything.
+    pub width: Width,
+    /// For the numbers of hits that those cannot round, where the device has wider ones.
+    pub rest: Option<Width>,
+}
+
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Results {
+    sum: [f32; 5],
+    product: [f32; 5],
+    quotient: [f32; 5],
+    root: [f32; 5],
+}
+
+impl Wide {
+    /// Tries each width on the device; `None` where none keeps its promise.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn measure(gpu: &Gpu) -> Result<Option<Self>, Error> {
+        let keeps = |width: Width| -> Result<bool, Error> {
+            Ok((gpu.has_f64() || !width.needs_f64()) && is_kept(width, &run(gpu, width, 0)?))
+        };
+        let rest = keeps(Width::PairOfF64)?.then_some(Width::PairOfF64);
+        let mut kept = Vec::new();
+        for width in [Width::Double, Width::PairOfF32] {
+            if keeps(width)? {
+                kept.push((seconds(gpu, width)?, width));
+            }
+        }
+        let fastest = kept.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(fastest.map(|(_, width)| Self { width, rest }))
+    }
+}
+
+/// The least of three times that much arithmetic takes.
+fn seconds(gpu: &Gpu, width: Width) -> Result<f64, Error> {
+    let mut least = f64::INFINITY;
+    for _ in 0..3 {
+        let start = Instant::now();
+        run(gpu, width, ROUNDS)?;
+        least = least.min(start.elapsed().as_secs_f64());
+    }
+    Ok(least)
+}
+
+/// Two whole numbers of 48 bits each, as the upper and lower 24 bits.
+fn pairs() -> Vec<[u32; 4]> {
+    let mut state = 0x0af4_c319_77e0_51d2_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        u32::try_from(state >> 40).unwrap_or(0)
+    };
+    (0..PAIRS).map(|_| [next() | 1 << 23, next(), next() | 1 << 23, next()]).collect()
+}
+
+/// What the bounds of a width suppose: how far a result may be off, relative to it, as a power of two.
+const fn promise(width: Width) -> u32 {
+    match width {
+        Width::Single | Width::SingleByRule => 22,
+        Width::Double => 52,
+        Width::PairOfF32 => 44,
+        Width::PairOfF64 => 100,
+    }
+}
+
+fn is_kept(width: Width, results: &[Results]) -> bool {
+    let bits = promise(width);
+    pairs().iter().zip(results).all(|(&[a, b, c, d], r)| {
+        let [x, y] = [[a, b], [c, d]].map(|[high, low]| i128::from(high) << 24 | i128::from(low));
+        let near = |words: [f32; 5], exact: i128| {
+            whole(words).is_some_and(|found| found.abs_diff(exact) <= exact.unsigned_abs() >> bits)
+        };
+        // These two are derived from sums and products: what could be wrong with them is gross.
+        #[expect(clippy::cast_precision_loss, reason = "48 bits")]
+        let (x, y, exact_sum, exact_product) = (x as f64, y as f64, x + y, x * y);
+        let close = |words: [f32; 5], exact: f64| {
+            let found: f64 = words.iter().rev().copied().map(f64::from).sum();
+            (found - exact).abs() <= exact * 2.0_f64.powi(-i32::try_from(bits.min(50)).unwrap_or(0))
+        };
+        near(r.sum, exact_sum) && near(r.product, exact_product) && close(r.quotient, x / y) && close(r.root, x.sqrt())
+    })
+}
+
+/// The sum of words that are whole.
+fn whole(words: [f32; 5]) -> Option<i128> {
+    #[expect(clippy::cast_possible_truncation, reason = "whole, and below 2^97")]
+    let word = |w: f32| (w.fract() == 0.0 && w.abs() < 2.0_f32.powi(97)).then_some(w as i128);
+    words.into_iter().map(word).sum()
+}
+
+fn run(gpu: &Gpu, width: Width, rounds: u32) -> Result<Vec<Results>, Error> {
+    use wgpu::BufferUsages as Usage;
+    let mut linked = Linked::default();
+    width.link(&mut linked);
+    shaders!(linked, "exact/number/trial.wgsl");
+    let layout = gpu.layout(0);
+    let pipeline = gpu.pipeline(&linked, "trial", &layout, Route::ExactSpirv)?;
+    #[expect(clippy::cast_precision_loss, reason = "24 bits")]
+    let given: Vec<[f32; 4]> = pairs().into_iter().map(|words| words.map(|word| word as f32)).collect();
+    let count = u32::try_from(given.len()).unwrap_or(u32::MAX);
+    let params = gpu.buffer_with("count", bytemuck::cast_slice(&[count, rounds, 0, 0]), Usage::UNIFORM);
+    let given = gpu.buffer_with("pairs", bytemuck::cast_slice(&given), Usage::STORAGE);
+    gpu.run_once(&pipeline, &layout, [&params, &given], PAIRS, count.div_ceil(64))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What numbers of 100 bits and more would answer.
+    fn right() -> Vec<Results> {
+        let words = |mut x: i128| {
+            [(); 5].map(|()| {
+                #[expect(clippy::cast_precision_loss, reason = "the next 24 bits")]
+                let word = x as f32;
+                #[expect(clippy::cast_possible_truncation, reason = "whole")]
+                let rest = x - word as i128;
+                x = rest;
+                word
+            })
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "each the next 24 bits")]
+        let float = |x: f64| {
+            let a = x as f32;
+            let b = (x - f64::from(a)) as f32;
+            [a, b, (x - f64::from(a) - f64::from(b)) as f32, 0.0, 0.0]
+        };
+        pairs()
+            .iter()
+            .map(|&[a, b, c, d]| {
+                let [x, y] = [[a, b], [c, d]].map(|[high, low]| i128::from(high) << 24 | i128::from(low));
+                Results {
+                    sum: words(x + y),
+                    product: words(x * y),
+                    quotient: float(x as f64 / y as f64),
+                    root: float((x as f64).sqrt()),
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn what_is_off_by_more_than_promised_is_seen() {
+        for width in [Width::Double, Width::PairOfF32, Width::PairOfF64] {
+            assert!(is_kept(width, &right()), "{width:?}");
+            let off = 2.0_f32.powi(2 - i32::try_from(promise(width)).expect("small"));
+            let damages: [fn(&mut Results, f32); 4] = [
+                |r, off| r.sum[2] += (r.sum[0] * off).ceil(),
+                |r, off| r.product[4] += r.product[0] * off,
+                |r, off| r.quotient[1] += r.quotient[0] * (off + 2.0_f32.powi(-48)),
+                |r, off| r.root[1] += r.root[0] * (off + 2.0_f32.powi(-48)),
+            ];
+            for (i, damage) in damages.into_iter().enumerate() {
+                let mut results = right();
+                damage(&mut results[77], off);
+                assert!(!is_kept(width, &results), "{width:?}, damage {i}");
+            }
+        }
+    }
+}

@@ -1,0 +1,14 @@
+// The spheres of a leaf. Bit 30 of a place tells a sphere from a triangle, as that of a leaf's word does.
+fn intersect_spheres(ray: TierRay, word: u32, before: Found) -> Found {
+    var found = before;
+    let first = leaf_first(word);
+    let end = first + leaf_count(word);
+    for (var i = first; i < end; i += 1u) {
+        let sphere = bitcast<vec4<f32>>(sphere_quad(i));
+        let c = chord(ray.line, v(sphere.xyz), n(sphere.w));
+        if !c.misses {
+            found = take_chord(ray, c, SPHERES | i, found);
+        }
+    }
+    return found;
+}
