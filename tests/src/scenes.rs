@@ -4,10 +4,10 @@ use glam::Vec3;
 use rayproof::scene::{Geometry, Mesh, Primitive, Ray, Scene, Sphere};
 
 /// Numbers in 0..1 from a 64-bit congruence.
-struct Numbers(u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
-    fn next(&mut self) -> f32 {
+    pub(crate) fn next(&mut self) -> f32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 40) as f32 / 16_777_216.0
     }

@@ -1,0 +1,86 @@
+//! What the tier `exact` promises, at its word.
+
+mod families;
+mod field;
+mod leaks;
+mod spheres;
+
+use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::scene::{Hit, Ray, Scene, Undecided};
+use rayproof_cpu::Engine as Cpu;
+use rayproof_gpu::Engine as Device;
+
+use crate::device::gpu;
+
+/// How many rays: `few` in a run of all tests, and `all` where `RAYPROOF_THOROUGH` is set, which takes minutes.
+pub(super) fn rays(few: usize, all: usize) -> usize {
+    if std::env::var_os("RAYPROOF_THOROUGH").is_some() { all } else { few }
+}
+
+/// A scene in both engines.
+pub(super) struct Engines {
+    pub(super) cpu: Cpu,
+    /// None where the scene is not one for which the tier runs on a device.
+    device: Option<Device>,
+}
+
+/// Every answer to a ray.
+pub(super) struct Answers {
+    pub(super) hits: Vec<Hit>,
+    pub(super) any: Vec<u8>,
+    pub(super) counts: Vec<u32>,
+    /// On the way to the closest hits.
+    pub(super) undecided: Undecided,
+}
+
+impl Answers {
+    fn none(rays: &[Ray]) -> Self {
+        let n = rays.len();
+        let (hits, any, counts) = (vec![Hit::MISS; n], vec![9; n], vec![u32::MAX; n]);
+        Self { hits, any, counts, undecided: Undecided::default() }
+    }
+}
+
+impl Engines {
+    pub(super) fn new(scene: &Scene) -> Self {
+        let bvh = Bvh::new(scene, Tier::Exact.scaling()).expect("small");
+        let device = bvh.plain.then(|| Device::new(gpu(), &bvh, Tier::Exact).expect("the scene fits the device"));
+        Self { cpu: Cpu::new(bvh, Tier::Exact), device }
+    }
+
+    pub(super) fn on_cpu(&self, rays: &[Ray]) -> Answers {
+        let mut answers = Answers::none(rays);
+        answers.undecided = self.cpu.closest(rays, &mut answers.hits);
+        self.cpu.any(rays, &mut answers.any);
+        self.cpu.count(rays, &mut answers.counts);
+        answers
+    }
+
+    /// The device's answers, and the CPU's for the rays that it left open.
+    pub(super) fn on_device(&self, rays: &[Ray]) -> Option<Answers> {
+        let device = self.device.as_ref()?;
+        let mut answers = Answers::none(rays);
+        let open = device.closest(rays, &mut answers.hits).expect("the device answers");
+        resolve(&open.rays, rays, &mut answers.hits, Hit::MISS, |rays, hits| self.cpu.closest(rays, hits));
+        let left = open.rays.len() as u64;
+        answers.undecided = Undecided { first_tier: open.after_first, after_refine: left, resolved_on_cpu: left };
+        let open = device.any(rays, &mut answers.any).expect("the device answers");
+        resolve(&open.rays, rays, &mut answers.any, 9, |rays, any| self.cpu.any(rays, any));
+        let open = device.count(rays, &mut answers.counts).expect("the device answers");
+        resolve(&open.rays, rays, &mut answers.counts, u32::MAX, |rays, counts| self.cpu.count(rays, counts));
+        Some(answers)
+    }
+}
+
+fn resolve<A: Copy>(
+    open: &[usize],
+    rays: &[Ray],
+    answers: &mut [A],
+    none: A,
+    ask: impl Fn(&[Ray], &mut [A]) -> Undecided,
+) {
+    let left: Vec<Ray> = open.iter().map(|&i| rays[i]).collect();
+    let mut found = vec![none; left.len()];
+    ask(&left, &mut found);
+    open.iter().zip(found).for_each(|(&i, found)| answers[i] = found);
+}
