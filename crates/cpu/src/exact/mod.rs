@@ -8,6 +8,10 @@
 //! 3. [`values`]: `t`, `u` and `v` of the hit in `f64` with their errors; where those leave two `f32` to choose between, in
 //!    sums of two `f64` ([`two`]), and at last exactly.
 
+#[cfg(test)]
+mod adversary;
+#[cfg(test)]
+mod adversary_tests;
 pub(crate) mod candidate;
 pub(crate) mod first;
 pub(crate) mod line;
