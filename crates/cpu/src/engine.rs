@@ -11,7 +11,7 @@ use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles};
 use crate::primitives::Primitives;
 use crate::{classic, fast, wide};
 
-/// Rays one task takes: enough to hide its start, few enough to share out the last.
+/// Rays one task takes at most: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
 
 /// Rays a block: few enough to stay in the nearest cache.
@@ -133,8 +133,10 @@ impl Engine {
         finish: impl Fn(&Ray, &mut A, &mut Path) + Sync,
     ) -> Undecided {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
-        rays.par_chunks(TASK)
-            .zip(answers.par_chunks_mut(TASK))
+        // Few rays may be hard ones: each core gets its share.
+        let task = (rays.len() / (4 * crate::threads())).clamp(BLOCK, TASK);
+        rays.par_chunks(task)
+            .zip(answers.par_chunks_mut(task))
             .map_init(
                 || stack(self.stack_depth),
                 |stack, (rays, answers)| {

@@ -15,7 +15,7 @@ fn closed_meshes() -> [(&'static str, Mesh, DVec3); 6] {
         ("bumpy sphere", meshes::bumpy_sphere(16, 16, 5), DVec3::ZERO),
         ("cube of whole numbers", meshes::snapped(meshes::cube(8), 0.25), DVec3::ZERO),
         ("torus", meshes::torus(64, 32, 0.4), DVec3::X),
-        ("double fan", meshes::double_fan(200), DVec3::ZERO),
+        ("double fan", meshes::double_fan(24), DVec3::ZERO),
     ]
 }
 

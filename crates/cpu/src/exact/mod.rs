@@ -3,10 +3,10 @@
 //! 1. [`first`]: the whole walk in `f32`, with certificates. Each primitive is hit, missed, or left open, by bounds on the
 //!    rounding errors that `triangle` and `sphere` derive. A ray is decided when its closest certain hit lies before
 //!    everything that was left open.
-//! 2. [`second`]: the walk of a ray that is not decided, in `f64` with the same certificates; what they leave open, exact
-//!    arithmetic ([`resolve`]) decides on the spot.
+//! 2. [`second`]: the walk of a ray that is not decided, in `f64` with the same certificates; what they leave open is decided
+//!    on the spot, in sums of two `f64` ([`two`]), and at last by exact arithmetic ([`resolve`]).
 //! 3. [`values`]: `t`, `u` and `v` of the hit in `f64` with their errors; where those leave two `f32` to choose between, in
-//!    sums of two `f64` ([`two`]), and at last exactly.
+//!    sums of two `f64`, and at last exactly.
 
 #[cfg(test)]
 mod adversary;
@@ -23,6 +23,7 @@ mod sphere;
 mod triangle;
 mod two;
 mod values;
+mod wide;
 
 pub(crate) use first::{Crossings, First};
 pub(crate) use ray::first_ray;

@@ -1,5 +1,6 @@
 //! The second tier: the walk in `f64`, for every finite ray, with the certificates of the first; what they leave open is
-//! decided exactly on the spot. On a device this is `shaders/exact/second.wgsl`, which leaves it to the CPU.
+//! decided on the spot, in sums of two `f64` and at last exactly. On a device this is the pass of
+//! `shaders/exact/query/second.wgsl`, which leaves it to the CPU.
 //!
 //! Positions are those of the scaled scene, the direction is as given: `t' = t 2^m`. No product over- or underflows: positions
 //! lie below `2^260`, directions below `2^128`, and what is not zero is above `2^-150` each; no product has more than five
@@ -13,6 +14,8 @@ use super::candidate::Candidate;
 use super::line::Line;
 use super::resolve::{self, Shape};
 use super::triangle::Estimate;
+use super::two::{self, Two};
+use super::wide::Wide;
 use super::{sphere, triangle};
 use crate::bvh::slab::WideNode;
 use crate::lanes::Corners;
@@ -49,31 +52,93 @@ impl SecondRay {
     }
 }
 
-/// What is known of one primitive: `None` for a certain miss.
-fn candidate(ray: &SecondRay, shape: &Shape) -> Option<Candidate<f64>> {
-    match *shape {
-        Shape::Triangle(_) => {
-            let (sides, edge) = sides(ray, shape)?;
-            let crosses = triangle::crosses(&sides);
-            let Estimate { clear, value: t, off } = triangle::plane_t(&ray.line, &sides, edge);
-            let open = Candidate { certain: false, low: f64::NEG_INFINITY, high: f64::INFINITY };
-            Some(if clear { Candidate { certain: crosses, ..Candidate::at(t, off) } } else { open })
+/// A line and its range, in a format.
+struct Asked<'a, N> {
+    line: &'a Line<N>,
+    t_min: N,
+    t_max: N,
+}
+
+impl<N: Wide> Asked<'_, N> {
+    /// What is known of one primitive: `None` for a certain miss.
+    fn candidate(&self, shape: &Shape) -> Option<Candidate<N>> {
+        match *shape {
+            Shape::Triangle(corners) => {
+                let corners = Corners::widened(corners);
+                let sides = triangle::sides(self.line, &corners);
+                if triangle::misses(&sides) {
+                    return None;
+                }
+                let Estimate { clear, value, off } = triangle::plane_t(self.line, &sides, corners.edge);
+                let open = Candidate { certain: false, low: N::of(f64::NEG_INFINITY), high: N::of(f64::INFINITY) };
+                let certain = triangle::crosses(&sides);
+                Some(if clear { Candidate { certain, ..Candidate::at(value, off) } } else { open })
+            }
+            Shape::Sphere { center, radius } => {
+                let chord = sphere::chord(self.line, Vector::from(center).map(N::of), N::of(radius));
+                (!chord.misses).then(|| Candidate::first_root(&chord, self.t_min))
+            }
         }
-        Shape::Sphere { center, radius } => {
-            let chord = sphere::chord(&ray.line, center.into(), radius);
-            (!chord.misses).then(|| Candidate::first_root(&chord, ray.exact.t_min))
+    }
+
+    /// The crossings of one primitive, where certificates tell.
+    fn count(&self, shape: &Shape) -> Option<u32> {
+        let certain = |found: &Candidate<N>| {
+            let outside = found.is_outside(self.t_min, self.t_max);
+            (outside || found.is_inside(self.t_min, self.t_max)).then_some(u32::from(!outside))
+        };
+        match *shape {
+            Shape::Triangle(_) => self.candidate(shape).as_ref().map_or(Some(0), certain),
+            Shape::Sphere { center, radius } => {
+                let chord = sphere::chord(self.line, Vector::from(center).map(N::of), N::of(radius));
+                if chord.misses {
+                    return Some(0);
+                }
+                Candidate::both_roots(&chord).iter().map(certain).sum()
+            }
         }
     }
 }
 
-/// The edge functions of a triangle that is not certainly missed, and its largest edge.
-fn sides(ray: &SecondRay, shape: &Shape) -> Option<(triangle::Sides<f64>, f64)> {
-    let Shape::Triangle([a, b, c]) = *shape else { return None };
-    let [a, b, c] = [a, b, c].map(Vector::from);
-    // Rounded up by more than the two roundings cost.
-    let edge = (b - a).largest().max((c - a).largest()) * (1.0 + 4.0 * f64::EPSILON);
-    let sides = triangle::sides(&ray.line, &Corners { a, b, c, edge });
-    (!triangle::misses(&sides)).then_some((sides, edge))
+impl SecondRay {
+    fn asked(&self) -> Asked<'_, f64> {
+        Asked { line: &self.line, t_min: self.exact.t_min, t_max: self.exact.t_max }
+    }
+
+    /// The line in sums of two `f64`, for one shape.
+    pub(crate) fn twice(&self, shape: &Shape) -> Line<Two> {
+        let (origin, direction) = (self.line.origin.map(Two::from), self.line.direction.map(Two::from));
+        let spheres = matches!(shape, Shape::Sphere { .. });
+        Line::new(two::ROUNDOFF, origin, direction, [Two::from(0.0); 2], spheres)
+    }
+
+    /// Where a primitive is hit that `f64` left open; `None` for a miss.
+    #[cold]
+    fn refined(&self, shape: &Shape, found: Candidate<f64>, doubts: &mut u32) -> Option<Candidate<f64>> {
+        let line = self.twice(shape);
+        let asked = Asked { line: &line, t_min: self.exact.t_min.into(), t_max: self.exact.t_max.into() };
+        let finer = asked.candidate(shape)?;
+        if finer.is_outside(asked.t_min, asked.t_max) {
+            return None;
+        }
+        if finer.is_inside(asked.t_min, asked.t_max) {
+            let ([low, _], [_, high]) = (finer.low.between(), finer.high.between());
+            return Some(Candidate { certain: true, low, high });
+        }
+        *doubts += 1;
+        resolve::is_hit(&self.exact, shape).then_some(found)
+    }
+
+    /// The crossings of a primitive that `f64` left open.
+    #[cold]
+    fn refined_count(&self, shape: &Shape, doubts: &mut u32) -> u32 {
+        let line = self.twice(shape);
+        let asked = Asked { line: &line, t_min: self.exact.t_min.into(), t_max: self.exact.t_max.into() };
+        asked.count(shape).unwrap_or_else(|| {
+            *doubts += 1;
+            resolve::crossings(&self.exact, shape)
+        })
+    }
 }
 
 /// The closest hit so far.
@@ -99,16 +164,14 @@ pub(crate) fn closest<const ANY: bool>(
     walk(nodes, ray, window, |word| {
         for slot in slots(word) {
             let shape = primitives.shape(slot);
-            let Some(found) = candidate(ray, &shape) else { continue };
+            let Some(mut found) = ray.asked().candidate(&shape) else { continue };
             let reach = winner.map_or(ray.exact.t_max, |w| w.high);
             if found.is_outside(ray.exact.t_min, reach) {
                 continue;
             }
             if !found.is_inside(ray.exact.t_min, ray.exact.t_max) {
-                *doubts += 1;
-                if !resolve::is_hit(&ray.exact, &shape) {
-                    continue;
-                }
+                let Some(finer) = ray.refined(&shape, found, doubts) else { continue };
+                found = finer;
             }
             let (low, high) = (found.low.max(ray.exact.t_min), found.high.min(ray.exact.t_max));
             let found = Winner { slot, shape, low, high };
@@ -145,36 +208,11 @@ pub(crate) fn count(nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay
     walk(nodes, ray, [t_min, t_max], |word| {
         for slot in slots(word) {
             let shape = primitives.shape(slot);
-            count += match certain_count(ray, &shape) {
-                Some(certain) => certain,
-                None => {
-                    *doubts += 1;
-                    resolve::crossings(&ray.exact, &shape)
-                }
-            };
+            count += ray.asked().count(&shape).unwrap_or_else(|| ray.refined_count(&shape, doubts));
         }
         t_max
     });
     count
-}
-
-/// The crossings of one primitive, where certificates tell.
-fn certain_count(ray: &SecondRay, shape: &Shape) -> Option<u32> {
-    let resolve::Ray { t_min, t_max, .. } = ray.exact;
-    let certain = |found: &Candidate<f64>| {
-        let outside = found.is_outside(t_min, t_max);
-        (outside || found.is_inside(t_min, t_max)).then_some(u32::from(!outside))
-    };
-    match *shape {
-        Shape::Triangle(_) => candidate(ray, shape).as_ref().map_or(Some(0), certain),
-        Shape::Sphere { center, radius } => {
-            let chord = sphere::chord(&ray.line, center.into(), radius);
-            if chord.misses {
-                return Some(0);
-            }
-            Candidate::both_roots(&chord).iter().map(certain).sum()
-        }
-    }
 }
 
 /// The places of a leaf's primitives.

@@ -7,50 +7,10 @@ use super::line::Line;
 use super::resolve::{self, Shape};
 use super::second::SecondRay;
 use super::triangle::Estimate;
-use super::two::{self, Two};
+use super::wide::Wide;
 use super::{sphere, triangle};
 use crate::lanes::Corners;
-use crate::number::{Number, Vector};
-
-/// A format wider than `f32`.
-pub(crate) trait Wide: Number<Mask = bool> + PartialOrd {
-    /// A number, exact.
-    fn of(x: f64) -> Self;
-    /// `self 2^-exponent` as the nearest `f32`, `inverse` being `2^-exponent`; never a negative zero.
-    fn nearest(self, inverse: f64) -> f32;
-}
-
-impl Wide for f64 {
-    #[inline(always)]
-    fn of(x: f64) -> Self {
-        x
-    }
-    #[inline(always)]
-    #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
-    fn nearest(self, inverse: f64) -> f32 {
-        (self * inverse) as f32 + 0.0
-    }
-}
-
-impl Wide for Two {
-    fn of(x: f64) -> Self {
-        x.into()
-    }
-    /// Rounded to odd first: of the two `f64` around the sum the one whose last bit is 1, so that rounding again is as rounding
-    /// once.
-    #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
-    fn nearest(self, inverse: f64) -> f32 {
-        let Self { high, low } = self;
-        let odd = if low == 0.0 || high.to_bits() & 1 == 1 {
-            high
-        } else if low > 0.0 {
-            high.next_up()
-        } else {
-            high.next_down()
-        };
-        (odd * inverse) as f32 + 0.0
-    }
-}
+use crate::number::Vector;
 
 /// `2^n`, well within the range of `f64`.
 #[inline(always)]
@@ -68,10 +28,7 @@ pub(crate) fn round(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut 
 /// The same for the few that `f64` leaves open.
 #[cold]
 fn round_again(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut u32) -> [f32; 3] {
-    let (origin, direction) = (ray.line.origin.map(Two::from), ray.line.direction.map(Two::from));
-    let spheres = matches!(shape, Shape::Sphere { .. });
-    let line = Line::new(two::ROUNDOFF, origin, direction, [Two::from(0.0); 2], spheres);
-    rounded(&line, ray.exact.t_min.into(), shape, power_of_two(-exponent)).unwrap_or_else(|| {
+    rounded(&ray.twice(shape), ray.exact.t_min.into(), shape, power_of_two(-exponent)).unwrap_or_else(|| {
         *doubts += 1;
         resolve::rounded(&ray.exact, shape, -exponent, [0.0; 3])
     })
@@ -82,10 +39,9 @@ fn round_again(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut u32) 
 fn rounded<N: Wide>(line: &Line<N>, t_min: N, shape: &Shape, inverse: f64) -> Option<[f32; 3]> {
     match *shape {
         Shape::Triangle([a, b, c]) => {
-            let [a, b, c] = [a, b, c].map(|p| Vector::from(p).map(N::of));
-            let edge = (b - a).largest().max((c - a).largest()) * N::constant(1.000_001);
-            let sides = triangle::sides(line, &Corners { a, b, c, edge });
-            let t = triangle::plane_t(line, &sides, edge);
+            let corners = Corners::widened([a, b, c]);
+            let sides = triangle::sides(line, &corners);
+            let t = triangle::plane_t(line, &sides, corners.edge);
             let [u, v] = [sides.u, sides.v].map(|x| triangle::quotient(line, &sides, x, sides.bound));
             t.clear.then_some([settled(t, inverse)?, settled(u, 1.0)?, settled(v, 1.0)?])
         }
