@@ -95,7 +95,7 @@ fn the_sample_is_answered_rightly() {
     let mut seen = vec![0_usize; scene.sphere_count() + 1];
     for (ray, hit) in rays.iter().zip(&hits) {
         let verdict = judge_closest(&oracle, ray, hit);
-        assert!(verdict.is_accepted(), "{verdict}");
+        assert!(verdict.is_nearest(), "{verdict}");
         if hit.is_hit() {
             let (geometry, primitive) = scene.locate(hit.primitive as usize);
             seen[if geometry == 0 { 0 } else { 1 + primitive }] += 1;

@@ -12,6 +12,12 @@ impl Numbers {
         (self.0 >> 40) as f32 / 16_777_216.0
     }
 
+    /// A whole number below `n`.
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        self.next();
+        usize::try_from(self.0 >> 33).unwrap_or(0) % n
+    }
+
     fn point(&mut self) -> Vec3 {
         Vec3::new(self.next(), self.next(), self.next())
     }

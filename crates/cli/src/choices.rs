@@ -27,9 +27,9 @@ pub(crate) enum Tier {
     /// The textbook formulas in f32
     Classic,
     /// f32 in its best-conditioned form
-    #[default]
     Fast,
     /// The answer of exact arithmetic, its numbers rounded once
+    #[default]
     Exact,
 }
 

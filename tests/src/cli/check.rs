@@ -36,11 +36,24 @@ fn a_disagreement_is_printed_and_is_exit_code_3_and_the_hits_are_written() {
 fn the_fast_tier_passes_where_the_classic_one_fails() {
     let folder = far_sphere();
     for query in ["closest", "any"] {
-        let ran = folder
-            .run(&format!("intersect far.toml rays.npy -o hits.npy --device cpu --query {query} --check 100 --json"));
+        let ran = folder.run(&format!(
+            "intersect far.toml rays.npy -o hits.npy --device cpu --precision fast --query {query} --check 100 --json"
+        ));
         let json = ran.expect(0, &["100 rays against exact arithmetic"]).json();
         assert_eq!((&json["checked"], &json["disagreed"]), (&100.into(), &0.into()));
         assert_eq!(json["hits"], 50);
+    }
+}
+
+#[test]
+fn the_exact_tier_is_exact() {
+    let folder = far_sphere();
+    for query in ["closest", "any", "count"] {
+        let ran = folder
+            .run(&format!("intersect far.toml rays.npy -o hits.npy --device cpu --query {query} --check 100 --json"));
+        let json = ran.expect(0, &["100 are exact", "open "]).json();
+        assert_eq!((&json["precision"], &json["correctly_rounded"]), (&"exact".into(), &100.into()));
+        assert_eq!((&json["disagreed"], &json["hits"]), (&0.into(), &50.into()));
     }
 }
 
@@ -74,7 +87,9 @@ fn the_summary_says_how_many_answers_are_exact_and_how_far_off_the_others_are() 
     let row = |i: usize| [0.0, 1.0, 0.0, i as f32 * 0.01, -1.0, 0.0];
     folder.write("down.npy", npy_rays(&(0..100).map(row).collect::<Vec<_>>()));
     let line = "intersect ground.toml down.npy -o hits.npy --device cpu --check 100 --json";
-    let ran = folder.run(line).expect(0, &["0 disagree"]);
+    let json = folder.run(line).expect(0, &["100 are exact", "0 ULP at worst"]).json();
+    assert_eq!(json["undecided"]["first_tier"], 100, "they are beyond f32");
+    let ran = folder.run(&format!("{line} --precision fast")).expect(0, &["0 disagree"]);
     let json = ran.json();
     let [right, within, worst] =
         ["correctly_rounded", "within_promise", "worst_ulp"].map(|k| json[k].as_u64().unwrap());

@@ -45,4 +45,24 @@ fn the_error_picture_shows_what_the_precision_costs() {
         folder.read(&format!("{precision}.png"))
     };
     assert!(make("fast") != make("classic"));
+    // No error and no wrong answer: two colours, of the hits and of the background.
+    assert!(colors(&make("exact")) == 2 && colors(&make("fast")) > 2);
+}
+
+#[test]
+fn the_tier_picture_shows_what_f32_leaves_open() {
+    let folder = Folder::new();
+    folder.write("near.toml", "[[geometry]]\nspheres = [[0.0, 0.0, 0.0, 1.0], [3.0, 0.0, 0.0, 1e-3]]\n");
+    for device in ["cpu", "gpu"] {
+        let line = format!("render near.toml -o tier.png --show tier --size 64x64 --device {device}");
+        folder.run(&line).expect(0, &[]);
+        assert!((1..=3).contains(&colors(&folder.read("tier.png"))));
+    }
+    folder.run("render near.toml -o none.png --show tier --precision fast").expect(2, &["--precision exact"]);
+}
+
+/// How many colours a picture has.
+fn colors(png: &[u8]) -> usize {
+    let picture = image::load_from_memory(png).unwrap().to_rgb8();
+    picture.pixels().map(|pixel| pixel.0).collect::<std::collections::BTreeSet<_>>().len()
 }

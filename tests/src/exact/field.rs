@@ -140,7 +140,7 @@ fn pbrt_reintersect_meets_nothing_again() {
         let is_sphere = shapes % 2 == 1;
         let center = log_uniform_point(&mut numbers, -8.0, if is_sphere { 4.0 } else { 8.0 });
         let (geometry, target) = if is_sphere {
-            let radius = log_uniform(&mut numbers, -4.0, 4.0).abs() as f32;
+            let radius = DVec3::splat(log_uniform(&mut numbers, -4.0, 4.0).abs()).as_vec3().x;
             (Geometry::Spheres(vec![Sphere { center: center.as_vec3(), radius }]), center)
         } else {
             let corners = [(); 3].map(|()| log_uniform_point(&mut numbers, -8.0, 8.0).as_vec3());

@@ -21,14 +21,14 @@ fn closed_meshes() -> [(&'static str, Mesh, DVec3); 6] {
 
 /// From near `inside`, at vertices and at points of edges; the closest `f32` to them.
 fn aimed(mesh: &Mesh, inside: DVec3, size: f64, count: usize, numbers: &mut Numbers) -> Vec<Ray> {
-    let mut below = |n: usize| ((f64::from(numbers.next()) * n as f64) as usize).min(n - 1);
     let mut rays = Vec::with_capacity(count);
     for i in 0..count {
-        let [a, b, c] = mesh.triangles[below(mesh.triangles.len())].map(|v| mesh.vertices[v as usize].as_dvec3());
-        let share = below(1 << 16) as f64 / 65536.0;
+        let [a, b, c] =
+            mesh.triangles[numbers.below(mesh.triangles.len())].map(|v| mesh.vertices[v as usize].as_dvec3());
+        let share = numbers.below(1 << 16) as f64 / 65536.0;
         let target = if i % 2 == 0 { a } else { [a, b, c][i % 3].lerp([b, c, a][i % 3], share) };
         // A quarter start at the very middle: with whole numbers, exactly at the vertex.
-        let moved = DVec3::from([(); 3].map(|()| below(1 << 16) as f64 / 65536.0 - 0.5)) * 0.1 * size;
+        let moved = DVec3::from([(); 3].map(|()| numbers.below(1 << 16) as f64 / 65536.0 - 0.5)) * 0.1 * size;
         let origin = (inside + if i % 4 == 0 { DVec3::ZERO } else { moved }).as_vec3();
         let direction = (target - origin.as_dvec3()).as_vec3();
         if direction != Vec3::ZERO {

@@ -59,9 +59,9 @@ pub enum Tier {
     /// The two formulas by the book in `f32`: the baseline that the report measures.
     Classic,
     /// `f32`, the best-conditioned single-precision form of each.
-    #[default]
     Fast,
     /// Exact arithmetic's answer, rounded once: certificates in `f32`, and wider arithmetic for what they leave open.
+    #[default]
     Exact,
 }
 
