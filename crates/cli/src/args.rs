@@ -66,7 +66,8 @@ Examples:
 
 HITS has one row a ray, in the rays' order, and appears only when it is whole.
   closest: t, u, v (float32), geometry, primitive (uint32); a miss is t = inf, u = v = 0, both ids 4294967295
-  any:     hit (uint8)")]
+  any:     hit (uint8)
+  count:   count (uint32)")]
 pub(crate) struct Intersect {
     #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,

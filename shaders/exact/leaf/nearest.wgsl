@@ -15,9 +15,7 @@ fn found_start(ray: TierRay) -> Found {
 
 // Beyond this t nothing more is of interest.
 fn found_reach(found: Found) -> f32 {
-    let t = about(found.high);
-    // Rounded up from a wider number, or a little more.
-    return t + abs(t) * 2.384185791015625e-7; // 2^-22
+    return above(found.high);
 }
 
 fn found_finished(found: Found) -> bool {

@@ -19,3 +19,5 @@ fn pick(no: N, yes: N, which: bool) -> N { return select(no, yes, which); }
 
 // A nearby f32, within 2^-22.
 fn about(x: N) -> f32 { return f32(x); }
+// At least x, and near it.
+fn above(x: N) -> f32 { return about(x) + abs(about(x)) * 2.384185791015625e-7; } // 2^-22

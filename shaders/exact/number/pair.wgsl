@@ -75,3 +75,5 @@ fn larger(a: N, b: N) -> N { return pick(a, b, less(a, b)); }
 
 // A nearby f32, within 2^-22.
 fn about(x: N) -> f32 { return f32(x.high); }
+// At least x, and near it.
+fn above(x: N) -> f32 { return about(x) + abs(about(x)) * 2.384185791015625e-7; } // 2^-22

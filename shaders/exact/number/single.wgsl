@@ -13,3 +13,5 @@ fn smaller(a: N, b: N) -> N { return min(a, b); }
 fn larger(a: N, b: N) -> N { return max(a, b); }
 fn pick(no: N, yes: N, which: bool) -> N { return select(no, yes, which); }
 fn about(x: N) -> f32 { return x; }
+// At least x, and near it.
+fn above(x: N) -> f32 { return x; }
