@@ -5,7 +5,7 @@ use rayproof_scene::{Hit, MISS, Ray, Sphere, Undecided};
 use crate::batch::{Candidate, Nearest, Params, SingleRay};
 use crate::bvh::slab::{UnitDirection, WideNode, unit_direction};
 use crate::bvh::traverse::{Found, Stack, TierRay, stack, traverse};
-use crate::exact::{self, Crossings, First, first, second, second::SecondRay};
+use crate::exact::{self, Crossings, First, FirstRay, first, second, second::SecondRay};
 use crate::lanes::{Candidates, Triangles4};
 use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles};
 use crate::primitives::Primitives;
@@ -245,27 +245,54 @@ impl Engine {
     fn exact_slot<const ANY: bool>(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u32 {
         let unit = unit_direction(ray.direction);
         let first = exact::first_ray(&self.params, ray, &unit);
-        let mut window = [f64::NEG_INFINITY, f64::INFINITY];
-        if first.ordinary {
-            let Primitives { leaves, spheres, .. } = &self.primitives;
-            let found = self.walk(
-                stack,
-                &unit,
-                &first,
-                First::<ANY>::start(&first),
-                #[inline(always)]
-                |ray: &_, word, found| first::intersect_triangles(leaves, ray, word, found),
-                #[inline(always)]
-                |ray: &_, word, found| first::intersect_spheres(spheres, ray, word, found),
-            );
-            if found.decided() {
-                return found.slot;
-            }
-            window = found.window().map(|t| f64::from(t) * 2.0_f64.powi(-unit.exponent));
+        if !first.ordinary {
+            return self.second_slot::<ANY>(ray, path);
         }
+        let Primitives { leaves, spheres, .. } = &self.primitives;
+        let found = self.walk(
+            stack,
+            &unit,
+            &first,
+            First::<ANY>::start(&first),
+            #[inline(always)]
+            |ray: &_, word, found| first::intersect_triangles(leaves, ray, word, found),
+            #[inline(always)]
+            |ray: &_, word, found| first::intersect_spheres(spheres, ray, word, found),
+        );
+        if found.decided() {
+            return found.slot;
+        }
+        self.narrow_slot(ray, &unit, &first, &found, stack, path)
+    }
+
+    /// The same of a ray that the first tier left open: only between the two ends that it found.
+    fn narrow_slot<const ANY: bool>(
+        &self,
+        ray: &Ray,
+        unit: &UnitDirection,
+        first: &FirstRay,
+        found: &First<ANY>,
+        stack: &mut Stack,
+        path: &mut Path,
+    ) -> u32 {
+        path.open = true;
+        let [low, high] = found.window();
+        let narrow = FirstRay { t_min: first.t_min.max(low), ..*first };
+        let start = second::Nearest::<ANY>::start(high, 2.0_f64.powi(unit.exponent));
+        let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
+        let leaf = |_: &FirstRay, word, found: second::Nearest<ANY>| found.leaf(&self.primitives, &ray, word);
+        let found = self.walk(stack, unit, &narrow, start, leaf, leaf);
+        path.doubts += found.doubts;
+        found.slot()
+    }
+
+    /// The same of a ray that is not for the first tier.
+    fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
-        second::closest::<ANY>(&self.nodes, &self.primitives, &ray, window, &mut path.doubts)
+        let found = second::Nearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
+        path.doubts += found.doubts;
+        found.slot()
     }
 
     #[inline(always)]

@@ -26,5 +26,5 @@ mod values;
 mod wide;
 
 pub(crate) use first::{Crossings, First};
-pub(crate) use ray::first_ray;
+pub(crate) use ray::{FirstRay, first_ray};
 pub(crate) use values::round;

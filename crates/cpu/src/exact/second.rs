@@ -1,5 +1,4 @@
-//! The second tier: the walk in `f64`, for every finite ray, with the certificates of the first; what they leave open is
-//! decided on the spot, in sums of two `f64` and at last exactly. On a device this is the pass of
+//! The second tier: the certificates of the first in `f64`, for every finite ray; what they leave open is decided on the spot, in sums of two `f64` and at last exactly. On a device this is the pass of
 //! `shaders/exact/query/second.wgsl`, which leaves it to the CPU.
 //!
 //! Positions are those of the scaled scene, the direction is as given: `t' = t 2^m`. No product over- or underflows: positions
@@ -18,6 +17,7 @@ use super::two::{self, Two};
 use super::wide::Wide;
 use super::{sphere, triangle};
 use crate::bvh::slab::WideNode;
+use crate::bvh::traverse::Found;
 use crate::lanes::Corners;
 use crate::leaf::{SPHERES, leaf_range};
 use crate::number::Vector;
@@ -150,42 +150,76 @@ struct Winner {
     high: f64,
 }
 
-/// The primitive that is hit first, by its place in the leaves, or [`MISS`]; where `ANY`, one that is hit. The first tier left
-/// nothing open but what lies in `window`. `doubts` counts the questions that only exact arithmetic could answer.
-pub(crate) fn closest<const ANY: bool>(
-    nodes: &[WideNode],
-    primitives: &Primitives,
-    ray: &SecondRay,
-    window: [f64; 2],
-    doubts: &mut u32,
-) -> u32 {
-    let mut winner: Option<Winner> = None;
-    let window = [ray.exact.t_min.max(window[0]), ray.exact.t_max.min(window[1])];
-    walk(nodes, ray, window, |word| {
+/// The closest hit so far, or the first found where `ANY`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Nearest<const ANY: bool> {
+    winner: Option<Winner>,
+    /// Beyond this nothing is of interest, in the units of the first tier; and what turns `t'` into those.
+    limit: f32,
+    to_first: f64,
+    /// How many questions only exact arithmetic could answer.
+    pub(crate) doubts: u32,
+}
+
+impl<const ANY: bool> Nearest<ANY> {
+    /// Before the first leaf.
+    pub(crate) fn start(limit: f32, to_first: f64) -> Self {
+        Self { winner: None, limit, to_first, doubts: 0 }
+    }
+
+    /// The primitive that is hit, by its place in the leaves, or [`MISS`].
+    pub(crate) fn slot(&self) -> u32 {
+        self.winner.map_or(MISS, |w| w.slot)
+    }
+
+    /// With what a leaf adds.
+    pub(crate) fn leaf(mut self, primitives: &Primitives, ray: &SecondRay, word: u32) -> Self {
         for slot in slots(word) {
             let shape = primitives.shape(slot);
             let Some(mut found) = ray.asked().candidate(&shape) else { continue };
-            let reach = winner.map_or(ray.exact.t_max, |w| w.high);
+            let reach = self.winner.map_or(ray.exact.t_max, |w| w.high);
             if found.is_outside(ray.exact.t_min, reach) {
                 continue;
             }
             if !found.is_inside(ray.exact.t_min, ray.exact.t_max) {
-                let Some(finer) = ray.refined(&shape, found, doubts) else { continue };
+                let Some(finer) = ray.refined(&shape, found, &mut self.doubts) else { continue };
                 found = finer;
             }
             let (low, high) = (found.low.max(ray.exact.t_min), found.high.min(ray.exact.t_max));
             let found = Winner { slot, shape, low, high };
-            winner = Some(match winner {
-                Some(before) if !goes_first(primitives, ray, &found, &before, doubts) => before,
+            self.winner = Some(match self.winner {
+                Some(before) if !goes_first(primitives, ray, &found, &before, &mut self.doubts) => before,
                 _ => found,
             });
             if ANY {
-                return f64::NEG_INFINITY;
+                break;
             }
         }
-        winner.map_or(window[1], |w| w.high)
-    });
-    winner.map_or(MISS, |w| w.slot)
+        self
+    }
+
+    /// With what all leaves add: the walk in `f64`.
+    pub(crate) fn all(self, nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay) -> Self {
+        let mut found = self;
+        walk(nodes, ray, |word| {
+            found = found.leaf(primitives, ray, word);
+            match found.winner {
+                Some(_) if ANY => f64::NEG_INFINITY,
+                winner => winner.map_or(ray.exact.t_max, |w| w.high),
+            }
+        });
+        found
+    }
+}
+
+impl<const ANY: bool> Found for Nearest<ANY> {
+    #[expect(clippy::cast_possible_truncation, reason = "one step up from the nearest")]
+    fn reach(&self) -> f32 {
+        self.winner.map_or(self.limit, |w| ((w.high * self.to_first) as f32).next_up())
+    }
+    fn finished(&self) -> bool {
+        ANY && self.winner.is_some()
+    }
 }
 
 /// Whether a hit comes before another: the smaller `t`, and among equal `t` the lower number.
@@ -203,14 +237,13 @@ fn goes_first(primitives: &Primitives, ray: &SecondRay, found: &Winner, before: 
 
 /// How often the surface is crossed.
 pub(crate) fn count(nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
-    let resolve::Ray { t_min, t_max, .. } = ray.exact;
     let mut count = 0;
-    walk(nodes, ray, [t_min, t_max], |word| {
+    walk(nodes, ray, |word| {
         for slot in slots(word) {
             let shape = primitives.shape(slot);
             count += ray.asked().count(&shape).unwrap_or_else(|| ray.refined_count(&shape, doubts));
         }
-        t_max
+        ray.exact.t_max
     });
     count
 }
@@ -225,11 +258,12 @@ fn slots(word: u32) -> impl Iterator<Item = u32> {
 }
 
 /// Calls `leaf` with the words of the leaves whose boxes the ray meets, roughly from near to far; it returns beyond which `t'`
-/// nothing more is of interest. Boxes outside the `window` are not met.
+/// nothing more is of interest.
 ///
 /// A plane is off by three roundings relative to its `t'`, which the pad covers; an axis along which the ray does not move is
 /// compared as it is. Scaling a subnormal down rounds, by less than `2^-148`: the boxes grow by that.
-fn walk(nodes: &[WideNode], ray: &SecondRay, [start, mut reach]: [f64; 2], mut leaf: impl FnMut(u32) -> f64) {
+fn walk(nodes: &[WideNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
+    let mut reach = ray.exact.t_max;
     let inverse = ray.exact.direction.map(|d| 1.0 / d);
     let mut stack = Vec::with_capacity(64);
     stack.push((f64::NEG_INFINITY, 0));
@@ -248,7 +282,7 @@ fn walk(nodes: &[WideNode], ray: &SecondRay, [start, mut reach]: [f64; 2], mut l
             if word == MISS {
                 continue;
             }
-            if let Some(enter) = entered(&ray.exact, inverse, node.child_box(k), [start, reach]) {
+            if let Some(enter) = entered(&ray.exact, inverse, node.child_box(k), reach) {
                 stack.push((enter, word));
             }
         }
@@ -257,10 +291,10 @@ fn walk(nodes: &[WideNode], ray: &SecondRay, [start, mut reach]: [f64; 2], mut l
 }
 
 /// Where a box is entered, at the earliest; `None` where it is missed.
-fn entered(ray: &resolve::Ray, inverse: [f64; 3], [low, high]: [[f32; 3]; 2], window: [f64; 2]) -> Option<f64> {
+fn entered(ray: &resolve::Ray, inverse: [f64; 3], [low, high]: [[f32; 3]; 2], reach: f64) -> Option<f64> {
     const GROW: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 74) as f64;
     const PAD: f64 = 1.0 / (1_u64 << 50) as f64;
-    let [mut enter, mut leave] = window;
+    let (mut enter, mut leave) = (ray.t_min, reach);
     for axis in 0..3 {
         let (low, high) = (f64::from(low[axis]) - GROW, f64::from(high[axis]) + GROW);
         let (o, d) = (ray.origin[axis], ray.direction[axis]);
