@@ -12,6 +12,7 @@ use crate::batch::Stream;
 use crate::gpu::Gpu;
 use crate::kernel::{Contents, Pass, Query, Width};
 use crate::pages::{Pages, check_bindings};
+use crate::wide::Wide;
 
 /// In the place of an answer: left open. `OPEN` in `shaders/exact/list.wgsl`.
 const OPEN: u32 = 0xffff_fffe;
@@ -74,20 +75,27 @@ impl Engine {
     /// When the device cannot hold it; or for the tier `exact`, when the device has no numbers for its second tier or the scene
     /// is not [plain](Bvh::plain).
     pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, tier: Tier) -> Result<Self, Error> {
-        let passes = match tier {
-            Tier::Classic | Tier::Fast => Passes::Single(tier),
-            Tier::Exact => {
-                let refused = |what: &str| Error::Device(format!("the precision exact does not run there: {what}"));
-                let wide =
-                    gpu.wide()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
-                if !bvh.plain {
-                    return Err(refused("the scene's numbers are too far apart"));
-                }
-                let is_ieee = gpu.fingerprint().is_some_and(crate::Fingerprint::is_ieee);
-                let first = if is_ieee { Width::Single } else { Width::SingleByRule };
-                Passes::Exact { first, second: wide.width, rest: wide.rest }
-            }
-        };
+        if tier != Tier::Exact {
+            return Self::with_passes(gpu, bvh, Passes::Single(tier));
+        }
+        let wide = gpu.wide()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
+        let is_ieee = gpu.fingerprint().is_some_and(crate::Fingerprint::is_ieee);
+        Self::with_numbers(gpu, bvh, if is_ieee { Width::Single } else { Width::SingleByRule }, wide)
+    }
+
+    /// The tier `exact` with numbers of one's own choice for its first pass and for the others: to try them out. They must be
+    /// ones that the device keeps.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_numbers(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, wide: Wide) -> Result<Self, Error> {
+        if !bvh.plain {
+            return Err(refused("the scene's numbers are too far apart"));
+        }
+        Self::with_passes(gpu, bvh, Passes::Exact { first, second: wide.width, rest: wide.rest })
+    }
+
+    fn with_passes(gpu: Arc<Gpu>, bvh: &Bvh, passes: Passes) -> Result<Self, Error> {
         let scene = OnDevice::new(&gpu, bvh)?;
         gpu.check()?;
         Ok(Self { gpu, scene, passes, streams: Default::default() })
@@ -181,6 +189,10 @@ impl Engine {
         })?;
         Ok(open)
     }
+}
+
+fn refused(what: &str) -> Error {
+    Error::Device(format!("the precision exact does not run there: {what}"))
 }
 
 impl OnDevice {

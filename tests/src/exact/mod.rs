@@ -4,6 +4,7 @@ mod families;
 mod field;
 mod leaks;
 mod spheres;
+mod widths;
 
 use rayproof::scene::bvh::{Bvh, Tier};
 use rayproof::scene::{Hit, Ray, Scene, Undecided};
