@@ -55,7 +55,8 @@ What computes: 'auto' is a hardware GPU if there is one, else the CPU engine; 'c
 best adapter, a software one too; 'index:N', 'name:TEXT' and 'pci:BUS' pick one adapter";
 
 const PRECISION: &str = "\
-How: 'classic' is the textbook formulas in f32, for comparison; 'fast' is f32 too, in the best-conditioned form";
+How: 'classic' is the textbook formulas in f32, for comparison; 'fast' is f32 too, in the best-conditioned \
+form; 'exact' is the answer of exact arithmetic, its numbers rounded once";
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -196,7 +197,8 @@ Examples:
   rayproof devices --json
 
 Each adapter runs a small kernel whose results are compared, bit for bit, with what IEEE 754 arithmetic gives: 'IEEE' \
-means that the tier 'fast' has the same bits there as on the CPU.")]
+means that the tier 'fast' has the same bits there as on the CPU. 'exact' has them on every device; the last line tells \
+which numbers it computes with there.")]
 pub(crate) struct Devices {
     /// Print one JSON object
     #[arg(long)]

@@ -35,6 +35,8 @@ struct Adapter {
     max_binding_bytes: u64,
     /// The arithmetic, once for every way a kernel can reach the driver; the first is the one that is used.
     fingerprints: Vec<Arithmetic>,
+    /// The numbers of the tier `exact` after its first pass.
+    exact: Option<String>,
 }
 
 /// How often each operation was not what IEEE 754 says.
@@ -108,6 +110,8 @@ fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &[AdapterReport]) -> Stri
                 let _ = writeln!(text, "         {line}");
             }
         }
+        let exact = a.wide.map_or_else(|| "on the CPU engine".to_owned(), |wide| format!("f32, then {wide}"));
+        let _ = writeln!(text, "         the tier exact: {exact}");
     }
     text
 }
@@ -123,6 +127,7 @@ fn adapter(report: AdapterReport) -> Adapter {
         pci_bus: Some(report.pci_bus).filter(|bus| !bus.is_empty()),
         max_binding_bytes: report.max_binding,
         fingerprints: fingerprints.map(|f| f.map_or_else(|error| Arithmetic::Failed { error }, arithmetic)).collect(),
+        exact: report.wide.map(|wide| wide.to_string()),
     }
 }
 

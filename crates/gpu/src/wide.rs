@@ -24,6 +24,21 @@ pub struct Wide {
     pub rest: Option<Width>,
 }
 
+impl std::fmt::Display for Wide {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let name = |width| match width {
+            Width::Single | Width::SingleByRule => "f32",
+            Width::Double => "f64",
+            Width::PairOfF32 => "pairs of f32",
+            Width::PairOfF64 => "pairs of f64",
+        };
+        match self.rest {
+            Some(rest) => write!(f, "{}, then {}", name(self.width), name(rest)),
+            None => f.write_str(name(self.width)),
+        }
+    }
+}
+
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 struct Results {

@@ -225,5 +225,12 @@ fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
             fingerprint.route
         ));
     }
+    if let (Precision::Exact, Some(fingerprint), Ok(Some(wide))) = (precision, gpu.fingerprint(), gpu.wide())
+        && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && wide.rest.is_some())
+    {
+        notes.push(format!(
+            "this device's arithmetic is not all IEEE or has no f64: exact by f32, then {wide}, then the CPU"
+        ));
+    }
     DeviceInfo { name: gpu.name().to_owned(), driver: gpu.driver(), notes }
 }
