@@ -45,7 +45,8 @@ impl SceneSize {
     }
 }
 
-/// How many rays each tier of the cascade left open; all 0 in the tiers of single precision.
+/// How many rays each tier of the cascade left open; all 0 in the tiers of single precision. A ray whose answer the first tier
+/// settled may still have a number that double width cannot round.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Undecided {
     pub(crate) first_tier: u64,
@@ -81,9 +82,8 @@ impl fmt::Display for Summary {
             write!(f, ", {} values rounded from float64 to float32", grouped(self.rounded_values))?;
         }
         if self.precision == "exact" {
-            let Undecided { first_tier, after_refine, resolved_on_cpu } = self.undecided;
-            let [open, left, last] = [first_tier, after_refine, resolved_on_cpu].map(grouped);
-            write!(f, "\nopen    {open} after f32, {left} after double width; exact arithmetic ran for {last}")?;
+            let [open, last] = [self.undecided.first_tier, self.undecided.resolved_on_cpu].map(grouped);
+            write!(f, "\nopen    {open} answers after f32; {last} answers or roundings left to exact arithmetic")?;
         }
         let Seconds { load, build, trace, resolve, total } = self.seconds;
         let rate = rate(self.rays_per_second);

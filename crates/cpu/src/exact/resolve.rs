@@ -400,3 +400,7 @@ fn round_all<R: Ring>(ray: &Ray, shape: &Shape, exponent: i32, guess: [f32; 3]) 
     let v = Root::quotient(v, determinant, 0)?.nearest(guess[2])?;
     Some([t, u, v])
 }
+
+#[cfg(test)]
+#[path = "resolve_tests.rs"]
+mod tests;

@@ -62,3 +62,41 @@ impl<N: Wide> Corners<N> {
         Self { a, b, c, edge }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two(high: f64, low: f64) -> Two {
+        Two { high, low }
+    }
+
+    #[test]
+    fn a_sum_of_two_is_rounded_once() {
+        let middle = 1.0 + 2.0_f64.powi(-24); // halfway between 1 and the next f32
+        let tiny = 2.0_f64.powi(-90);
+        assert_eq!(two(middle, 0.0).nearest(1.0), 1.0);
+        assert_eq!(two(middle, tiny).nearest(1.0), 1.0_f32.next_up());
+        assert_eq!(two(middle, -tiny).nearest(1.0), 1.0);
+        assert_eq!(two(-middle, -tiny).nearest(1.0), -(1.0_f32.next_up()));
+        // An f64 that already rounded to the middle: the low part tells from which side.
+        let above = (1.0 + 3.0 * 2.0_f64.powi(-24)).next_down();
+        assert_eq!(two(above, 0.4 * (above.next_up() - above)).nearest(1.0), 1.0_f32.next_up());
+        // Subnormal results and the scale.
+        assert_eq!(two(1.5, tiny).nearest(2.0_f64.powi(-149)), f32::from_bits(2));
+        assert_eq!(two(0.5, -tiny).nearest(2.0_f64.powi(-149)), 0.0);
+        assert_eq!(two(-1e-300, 0.0).nearest(1.0).to_bits(), 0, "no negative zero");
+    }
+
+    #[test]
+    fn sums_products_quotients_and_roots_keep_a_hundred_bits() {
+        let third = Two::from(1.0) / Two::from(3.0);
+        let back = third * Two::from(3.0) - Two::from(1.0);
+        assert!(back.high.abs() < 2.0_f64.powi(-100), "{back:?}");
+        let root = Two::from(2.0).sqrt();
+        let back = root * root - Two::from(2.0);
+        assert!(back.high.abs() < 2.0_f64.powi(-99), "{back:?}");
+        let cancelled = (Two::from(1.0) + Two::from(2.0_f64.powi(-80))) - Two::from(1.0);
+        assert_eq!(cancelled.high, 2.0_f64.powi(-80));
+    }
+}

@@ -3,7 +3,8 @@
 //! Scenes times ray kinds times engines, interleaved in rounds so that drift hits all alike; medians with the spread, and
 //! each engine's ratio to the peer it is to beat, from the same rounds. Scenes are read from the folder that
 //! `RAYPROOF_SCENES` names (bunny.ply, dragon.ply, hall.ply); where one is not there a mesh of about its size is made.
-//! A FILTER keeps the rows whose text holds it, for example `bunny`, `primary` or `cpu fast`; a ratio needs both its rows.
+//! A FILTER keeps the rows whose text holds it, for example `bunny`, `primary` or `cpu fast`, and with a `!` before it those
+//! whose text does not; a ratio needs both its rows.
 #![expect(clippy::print_stdout, reason = "a program that prints a table")]
 
 mod engines;
@@ -20,7 +21,9 @@ const ROUNDS: usize = 7;
 
 fn main() -> anyhow::Result<()> {
     let filters: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
-    let keep = |text: &str| filters.iter().all(|f| text.contains(f.as_str()));
+    let keep = |text: &str| {
+        filters.iter().all(|f| f.strip_prefix('!').map_or_else(|| text.contains(f.as_str()), |f| !text.contains(f)))
+    };
     println!(
         "{:<8} {:<11} {:<26} {:>9} {:>9} {:>9}  {:>6}",
         "scene", "rays", "engine", "M rays/s", "p5", "p95", "ratio; rays left open by f32, and by double width"
