@@ -86,9 +86,19 @@ impl Width {
 
     pub(crate) fn link(self, linked: &mut Linked) {
         match self {
-            Self::Single => shaders!(linked, "exact/number/single.wgsl", "exact/number/single_ieee.wgsl"),
-            Self::SingleByRule => shaders!(linked, "exact/number/single.wgsl", "exact/number/single_by_rule.wgsl"),
-            Self::Double => shaders!(linked, "exact/number/double.wgsl"),
+            Self::Single => shaders!(
+                linked,
+                "exact/number/native.wgsl",
+                "exact/number/single.wgsl",
+                "exact/number/single_ieee.wgsl"
+            ),
+            Self::SingleByRule => shaders!(
+                linked,
+                "exact/number/native.wgsl",
+                "exact/number/single.wgsl",
+                "exact/number/single_by_rule.wgsl"
+            ),
+            Self::Double => shaders!(linked, "exact/number/native.wgsl", "exact/number/double.wgsl"),
             Self::PairOfF32 => shaders!(linked, "exact/number/pair.wgsl", "exact/number/pair_of_f32.wgsl"),
             Self::PairOfF64 => shaders!(linked, "exact/number/pair.wgsl", "exact/number/pair_of_f64.wgsl"),
         }

@@ -1,17 +1,5 @@
-// Numbers of the first tier: f32. All that is written over `N` is written once and runs in every width.
+// Numbers of the first tier.
 alias N = f32;
 
-fn n(x: f32) -> N { return x; }
-fn add(a: N, b: N) -> N { return a + b; }
-fn sub(a: N, b: N) -> N { return a - b; }
-fn mul(a: N, b: N) -> N { return a * b; }
-fn div(a: N, b: N) -> N { return a / b; }
-fn root(a: N) -> N { return sqrt(a); }
-fn size(a: N) -> N { return abs(a); }
-fn less(a: N, b: N) -> bool { return a < b; }
-fn smaller(a: N, b: N) -> N { return min(a, b); }
-fn larger(a: N, b: N) -> N { return max(a, b); }
-fn pick(no: N, yes: N, which: bool) -> N { return select(no, yes, which); }
-fn about(x: N) -> f32 { return x; }
 // At least x, and near it.
 fn above(x: N) -> f32 { return x; }
