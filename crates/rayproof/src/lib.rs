@@ -1,7 +1,9 @@
 //! Ray hits you can trust: pick a device, stream batches of rays through it, get the hits back.
 //!
 //! [`Intersector::new`] takes a [`Scene`](scene::Scene) and [`Options`], builds the tree and puts it on the device;
-//! [`Intersector::closest`] and [`Intersector::any`] answer batches of any size. [`adapters`] lists what there is.
+//! [`Intersector::closest`], [`Intersector::any`] and [`Intersector::count`] answer batches of any size, by default in the
+//! [`Precision`] `Exact`: the answers of real arithmetic on the given numbers, `t`, `u` and `v` rounded once. [`adapters`] lists
+//! what there is.
 //!
 //! ```
 //! use glam::Vec3;
