@@ -75,9 +75,6 @@ pub enum Width {
 }
 
 impl Width {
-    /// Every choice.
-    pub const ALL: [Self; 5] = [Self::Single, Self::SingleByRule, Self::Double, Self::PairOfF32, Self::PairOfF64];
-
     /// Whether the device must have `f64`.
     #[must_use]
     pub const fn needs_f64(self) -> bool {

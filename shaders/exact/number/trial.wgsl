@@ -20,10 +20,6 @@ struct Results {
 @group(0) @binding(1) var<storage, read> pairs: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read_write> results: array<Results>;
 
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
 fn words(x: N) -> Words {
     let a = about(x);
     let after_a = sub(x, n(a));

@@ -1,4 +1,4 @@
-//! Twin of `shaders/exact/candidate.wgsl`: where one primitive is hit, with what certainty.
+//! Twin of `shaders/exact/leaf/candidate.wgsl`: where one primitive is hit, with what certainty.
 
 use super::sphere::Chord;
 use crate::number::Number;

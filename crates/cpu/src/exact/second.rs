@@ -122,7 +122,8 @@ impl SecondRay {
             return None;
         }
         if finer.is_inside(asked.t_min, asked.t_max) {
-            let ([low, _], [_, high]) = (finer.low.between(), finer.high.between());
+            // Outward from the leading halves.
+            let (low, high) = (finer.low.high.next_down(), finer.high.high.next_up());
             return Some(Candidate { certain: true, low, high });
         }
         *doubts += 1;

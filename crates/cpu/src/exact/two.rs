@@ -1,4 +1,4 @@
-//! Twin of `shaders/exact/wide/pair.wgsl`: numbers of twice the width, as unevaluated sums of two.
+//! Twin of `shaders/exact/number/pair.wgsl`: numbers of twice the width, as unevaluated sums of two.
 //!
 //! Sums and products are error-free transforms (Knuth's two-sum; Dekker's two-product, by splitting) followed by a
 //! renormalisation. A result is off by less than `2^-100` relative (Joldes, Muller and Popescu 2017 prove `3 u^2` and `7 u^2`

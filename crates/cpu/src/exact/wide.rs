@@ -8,8 +8,6 @@ use crate::number::{Number, Vector};
 pub(crate) trait Wide: Number<Mask = bool> + PartialOrd {
     /// A number, exact.
     fn of(x: f64) -> Self;
-    /// An `f64` that is at most this, and one that is at least this.
-    fn between(self) -> [f64; 2];
     /// `self 2^-exponent` as the nearest `f32`, `inverse` being `2^-exponent`; never a negative zero.
     fn nearest(self, inverse: f64) -> f32;
 }
@@ -18,10 +16,6 @@ impl Wide for f64 {
     #[inline(always)]
     fn of(x: f64) -> Self {
         x
-    }
-    #[inline(always)]
-    fn between(self) -> [f64; 2] {
-        [self; 2]
     }
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
@@ -33,9 +27,6 @@ impl Wide for f64 {
 impl Wide for Two {
     fn of(x: f64) -> Self {
         x.into()
-    }
-    fn between(self) -> [f64; 2] {
-        [self.high.next_down(), self.high.next_up()]
     }
     /// Rounded to odd first: of the two `f64` around the sum the one whose last bit is 1, so that rounding again is as rounding
     /// once.

@@ -65,28 +65,26 @@ impl Packed {
             sphere_ids: Vec::with_capacity(scene.sphere_count()),
             scale_exponent,
             size: 0.0,
-            plain: true,
+            plain: false,
             originals: None,
         };
         for (index, geometry) in scene.geometries().iter().enumerate() {
             packed.add(scene.start(index), geometry);
         }
         packed.size = power_of_two_above(packed.largest());
-        packed.plain &= packed.size <= PLAIN[1];
-        if !packed.is_exact(scene) {
-            packed.plain = false;
-            packed.originals = Some(originals(scene));
-        }
+        let (exact, large) = packed.compare(scene);
+        packed.plain = exact && large && packed.size <= PLAIN[1];
+        packed.originals = (!exact).then(|| originals(scene));
         packed
     }
 
-    /// Whether scaling cost no bit; notes whether a number is too small to be plain.
-    fn is_exact(&mut self, scene: &Scene) -> bool {
+    /// Whether scaling cost no bit, and whether every number but zero is large enough to be plain.
+    fn compare(&self, scene: &Scene) -> (bool, bool) {
         let factor = 2.0_f64.powi(self.scale_exponent);
-        let (mut exact, mut plain) = (true, true);
+        let (mut exact, mut large) = (true, true);
         let mut see = |given: Vec3, scaled: Vec3| {
             exact &= given.as_dvec3() * factor == scaled.as_dvec3();
-            plain &= scaled.abs().cmpge(Vec3::splat(PLAIN[0])).bitor(scaled.cmpeq(Vec3::ZERO)).all();
+            large &= scaled.abs().cmpge(Vec3::splat(PLAIN[0])).bitor(scaled.cmpeq(Vec3::ZERO)).all();
         };
         let mut triangles = self.triangles.iter();
         let mut spheres = self.spheres.iter();
@@ -103,8 +101,7 @@ impl Packed {
                 }),
             }
         }
-        self.plain &= plain;
-        exact
+        (exact, large)
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "Bvh::new bounds the number of primitives")]
