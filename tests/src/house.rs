@@ -8,12 +8,13 @@ use std::process::Command;
 use serde_json::Value;
 
 /// Each room, and the rooms that it is built from. A new room is entered here and in the README.
-const ROOMS: [(&str, &[&str]); 7] = [
+const ROOMS: [(&str, &[&str]); 8] = [
     ("rayproof-scene", &[]),
     ("rayproof-gpu", &["rayproof-scene"]),
     ("rayproof-cpu", &["rayproof-scene"]),
     ("rayproof", &["rayproof-cpu", "rayproof-gpu", "rayproof-scene"]),
     ("rayproof-oracle", &["rayproof-scene"]),
+    ("rayproof-report", &[]),
     ("rayproof-cli", &["rayproof", "rayproof-oracle"]),
     ("rayproof-tests", &[]),
 ];

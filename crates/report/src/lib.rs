@@ -1,0 +1,3 @@
+//! Speed against error: what a report holds, and the pages made of it.
+
+pub mod model;
