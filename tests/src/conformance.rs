@@ -11,7 +11,6 @@ use crate::device::{gpu, gpu_with_small_bindings};
 
 const SEED: u64 = 20_261_123;
 const RAYS_PER_FAMILY: usize = 20_000;
-const TIERS: [Tier; 3] = [Tier::Classic, Tier::Fast, Tier::Exact];
 
 /// Rays compared, hits among them, and rays that the device left to exact arithmetic.
 #[derive(Default)]
@@ -104,7 +103,7 @@ fn kernels_equal_their_twins_over_all_families() {
         let mut tally = Tally::default();
         let cases = family.cases(SEED, RAYS_PER_FAMILY);
         for (i, Case { scene, rays }) in cases.iter().enumerate() {
-            for tier in TIERS {
+            for tier in Tier::ALL {
                 let what = format!("family {} ({}), case {i}, {tier:?}", family.number, family.name);
                 Pair::new(gpu(), scene, tier).compare(&what, rays, &mut tally);
             }
@@ -165,7 +164,7 @@ fn every_kind_of_scene_has_its_kernel() {
     for (triangles, spheres) in [(0, 0), (1, 0), (0, 1), (1, 1), (3000, 0), (0, 3000), (2000, 2000)] {
         let scene = crate::scenes::mixed(triangles, spheres);
         let rays = crate::scenes::rays_at(&scene, 20_000);
-        for tier in TIERS {
+        for tier in Tier::ALL {
             let mut tally = Tally::default();
             let what = format!("{triangles} triangles, {spheres} spheres, {tier:?}");
             Pair::new(gpu(), &scene, tier).compare(&what, &rays, &mut tally);

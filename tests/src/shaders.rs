@@ -5,10 +5,11 @@ use std::fs;
 use std::path::Path;
 
 use rayproof::scene::bvh::Tier;
-use rayproof_gpu::{Contents, Kernel, Pass, Query};
+use rayproof_gpu::{Contents, Kernel, Pass, Query, Walk};
 
 /// Accessors as the host writes them for lists of one binding.
 const LISTS: &str = "const STACK_SIZE: u32 = 32u;
+const NODE_COUNT: u32 = 1u;
 @group(0) @binding(4) var<storage, read> nodes_0: array<vec4<u32>>;
 fn node_quad(i: u32) -> vec4<u32> { return nodes_0[i]; }
 @group(0) @binding(5) var<storage, read> triangles_0: array<vec4<u32>>;
@@ -37,11 +38,11 @@ fn every_kernel_validates_and_every_file_is_used() {
     files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../shaders"), &mut sources);
     assert!(sources.len() > 15, "{} shader files", sources.len());
     let mut kernels = 0;
-    let passes = [Tier::Classic, Tier::Fast].map(Pass::Trace).into_iter().chain(Pass::all_exact());
+    let passes = Tier::ALL.map(Pass::Trace).into_iter().chain(Pass::all_exact());
     for pass in passes {
         for query in Query::ALL {
-            for contents in Contents::ALL {
-                let kernel = Kernel { pass, query, contents };
+            for (contents, walk) in Contents::ALL.into_iter().flat_map(|c| [(c, Walk::Tree), (c, Walk::Every)]) {
+                let kernel = Kernel { pass, query, contents, walk };
                 if !kernel.exists() {
                     continue;
                 }

@@ -55,8 +55,9 @@ What computes: 'auto' is a hardware GPU if there is one, else the CPU engine; 'c
 best adapter, a software one too; 'index:N', 'name:TEXT' and 'pci:BUS' pick one adapter";
 
 const PRECISION: &str = "\
-How: 'classic' is the textbook formulas in f32, for comparison; 'fast' is f32 too, in the best-conditioned \
-form; 'exact' is the answer of exact arithmetic, its numbers rounded once";
+How: 'exact' is the answer of exact arithmetic, its numbers rounded once; 'fast' is f32 in its best-conditioned form. \
+Without a promise, for comparison: 'textbook', the schoolbook quadratic in f32; 'classic', the stable quadratic and \
+Cramer's rule in f32; 'pair' and 'double', the formulas of fast in pairs of f32 and in f64";
 
 #[derive(Debug, Args)]
 #[command(after_help = "\

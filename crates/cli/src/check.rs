@@ -1,6 +1,7 @@
 //! `--check`: rays answered again in exact arithmetic.
 
 use rayon::prelude::*;
+use rayproof::Precision;
 use rayproof::scene::{HitKind, Scene};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::judge::Verdict;
@@ -55,8 +56,9 @@ pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier,
                     }
                     continue;
                 }
-                Verdict::WithinPromise(case) if tier == Tier::Classic => {
-                    format!("disagrees: it is not the exact answer, and classic promises no other\n{case}")
+                Verdict::WithinPromise(case) if tier != Tier::Fast => {
+                    let name = Precision::from(tier).name();
+                    format!("disagrees: it is not the exact answer, and {name} promises no other\n{case}")
                 }
                 Verdict::WithinPromise(_) => {
                     checked.within_promise += 1;

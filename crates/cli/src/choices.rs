@@ -24,10 +24,16 @@ pub(crate) enum Query {
 /// How hits are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Tier {
-    /// The textbook formulas in f32
+    /// The schoolbook quadratic in f32, to see it fail; triangles as classic
+    Textbook,
+    /// The stable quadratic and Cramer's rule in f32
     Classic,
     /// f32 in its best-conditioned form
     Fast,
+    /// The formulas of fast in pairs of f32
+    Pair,
+    /// The formulas of fast in f64
+    Double,
     /// The answer of exact arithmetic, its numbers rounded once
     #[default]
     Exact,
@@ -36,8 +42,11 @@ pub(crate) enum Tier {
 impl From<Tier> for Precision {
     fn from(tier: Tier) -> Self {
         match tier {
+            Tier::Textbook => Self::Textbook,
             Tier::Classic => Self::Classic,
             Tier::Fast => Self::Fast,
+            Tier::Pair => Self::Pair,
+            Tier::Double => Self::Double,
             Tier::Exact => Self::Exact,
         }
     }

@@ -64,7 +64,7 @@ impl From<rayproof::Error> for Failure {
     fn from(error: rayproof::Error) -> Self {
         let code = match &error {
             rayproof::Error::NoDevice(_) => Code::NoDevice,
-            rayproof::Error::NotExact => Code::Usage,
+            rayproof::Error::NotExact | rayproof::Error::OnDevice => Code::Usage,
             rayproof::Error::Device(_) | rayproof::Error::TooLarge(_) => Code::Running,
         };
         Self::new(code, error.to_string())

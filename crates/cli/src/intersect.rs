@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use rayproof::scene::{self, Format, Hit, HitWriter, LoadedScene, Scene};
-use rayproof::{Intersector, Options};
+use rayproof::{Intersector, Options, Precision};
 
 use crate::answer::Answer;
 use crate::args::Intersect;
@@ -125,11 +125,7 @@ impl Run<'_> {
         Summary {
             device: device.name.clone(),
             driver: device.driver.clone(),
-            precision: match self.args.precision {
-                Tier::Classic => "classic",
-                Tier::Fast => "fast",
-                Tier::Exact => "exact",
-            },
+            precision: Precision::from(self.args.precision).name(),
             query: A::QUERY,
             scene: SceneSize::of(&self.scene),
             rays,

@@ -1,15 +1,15 @@
 use rayon::prelude::*;
 use rayproof_scene::bvh::{Bvh, Tier};
-use rayproof_scene::{Hit, MISS, Ray, Sphere, Undecided};
+use rayproof_scene::{Hit, MISS, Ray, Undecided};
 
-use crate::batch::{Candidate, Nearest, Params, SingleRay};
+use crate::batch::{Claims, Nearest, Params, SingleRay};
 use crate::bvh::slab::{UnitDirection, WideNode, unit_direction};
-use crate::bvh::traverse::{Found, Stack, TierRay, stack, traverse};
+use crate::bvh::traverse::{Found, LEAF, Stack, TierRay, stack, traverse};
 use crate::exact::{self, Crossings, First, FirstRay, first, second, second::SecondRay};
-use crate::lanes::{Candidates, Triangles4};
-use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles};
+use crate::formulas::{Classic, Double, Fast, Formulas, Pair, Textbook};
+use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles, leaf_range};
 use crate::primitives::Primitives;
-use crate::{classic, fast, wide};
+use crate::wide;
 
 /// Rays one task takes at most: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
@@ -25,6 +25,21 @@ pub struct Engine {
     stack_depth: usize,
     params: Params,
     tier: Tier,
+    /// The words of all leaves, where each is visited by every ray.
+    every: Option<Vec<u32>>,
+}
+
+/// Calls a method for the formulas of a tier in single precision.
+macro_rules! by_formulas {
+    ($tier:expr, $self:ident.$method:ident::<_ $(, $any:literal)?>($($argument:expr),*)) => {
+        match $tier {
+            Tier::Textbook => $self.$method::<Textbook $(, $any)?>($($argument),*),
+            Tier::Classic => $self.$method::<Classic $(, $any)?>($($argument),*),
+            Tier::Fast | Tier::Exact => $self.$method::<Fast $(, $any)?>($($argument),*),
+            Tier::Pair => $self.$method::<Pair $(, $any)?>($($argument),*),
+            Tier::Double => $self.$method::<Double $(, $any)?>($($argument),*),
+        }
+    };
 }
 
 /// Which tiers of the cascade a ray went through.
@@ -50,7 +65,14 @@ impl Engine {
         let (stack_depth, params) = (bvh.stack_depth, Params::new(&bvh));
         // The packed nodes and triangles end here: their decoded form is all that is walked.
         let (primitives, nodes) = Primitives::new(bvh);
-        Self { nodes, primitives, stack_depth, params, tier }
+        Self { nodes, primitives, stack_depth, params, tier, every: None }
+    }
+
+    /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    #[must_use]
+    pub fn without_tree(self) -> Self {
+        let words = self.nodes.iter().flat_map(WideNode::children).filter(|&word| word != MISS && word >= LEAF);
+        Self { every: Some(words.collect()), ..self }
     }
 
     /// The closest hit of each ray, in the rays' order; returned is how many rays the tier `exact` left open on its way.
@@ -58,17 +80,17 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Undecided {
+        if self.tier != Tier::Exact {
+            return by_formulas!(self.tier, self.closest_by::<_>(rays, hits));
+        }
         self.batch(
             rays,
             hits,
             #[inline(always)]
-            |ray, stack, path| match self.tier {
-                Tier::Exact => Hit { primitive: self.exact_slot::<false>(ray, stack, path), ..Hit::MISS },
-                tier => self.single::<false>(tier, ray, stack),
-            },
+            |ray, stack, path| Hit { primitive: self.exact_slot::<false>(ray, stack, path), ..Hit::MISS },
             #[inline(always)]
             |ray, hit, path| {
-                if self.tier == Tier::Exact && hit.is_hit() {
+                if hit.is_hit() {
                     *hit = self.round(ray, hit.primitive, path);
                 }
             },
@@ -80,18 +102,25 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Undecided {
+        if self.tier != Tier::Exact {
+            return by_formulas!(self.tier, self.any_by::<_>(rays, hits));
+        }
         self.batch(
             rays,
             hits,
             #[inline(always)]
-            |ray, stack, path| {
-                u8::from(match self.tier {
-                    Tier::Exact => self.exact_slot::<true>(ray, stack, path) != MISS,
-                    tier => self.single::<true>(tier, ray, stack).is_hit(),
-                })
-            },
+            |ray, stack, path| u8::from(self.exact_slot::<true>(ray, stack, path) != MISS),
             |_, _, _| {},
         )
+    }
+
+    /// How many primitives claim that the ray hits them in range, by the formulas of the tier; those of `fast` in the tier
+    /// `exact`. On a closed mesh an even number from inside is a leak or a double hit.
+    ///
+    /// # Panics
+    /// When `rays` and `claims` differ in length.
+    pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) {
+        by_formulas!(self.tier, self.claims_by::<_>(rays, claims));
     }
 
     /// How often each ray crosses the surface, exactly, whatever the tier: through a shared edge or vertex of a closed mesh
@@ -162,41 +191,60 @@ impl Engine {
             .sum()
     }
 
-    /// The hit by the formulas of a tier in single precision.
-    #[inline(always)]
-    fn single<const ANY: bool>(&self, tier: Tier, ray: &Ray, stack: &mut Stack) -> Hit {
-        let unit = unit_direction(ray.direction);
-        let params = &self.params;
-        if tier == Tier::Classic {
-            let ray = classic::tier_ray(params, ray, &unit);
-            self.nearest::<ANY>(stack, &unit, &ray, classic::intersect_triangle, classic::intersect_sphere)
-        } else {
-            let ray = fast::tier_ray(params, ray, &unit);
-            self.nearest::<ANY>(stack, &unit, &ray, fast::intersect_triangle, fast::intersect_sphere)
-        }
+    fn closest_by<F: Formulas>(&self, rays: &[Ray], hits: &mut [Hit]) -> Undecided {
+        self.batch(
+            rays,
+            hits,
+            #[inline(always)]
+            |ray, stack, _| self.nearest::<F, false>(ray, stack),
+            |_, _, _| {},
+        )
     }
 
+    fn any_by<F: Formulas>(&self, rays: &[Ray], hits: &mut [u8]) -> Undecided {
+        self.batch(
+            rays,
+            hits,
+            #[inline(always)]
+            |ray, stack, _| u8::from(self.nearest::<F, true>(ray, stack).is_hit()),
+            |_, _, _| {},
+        )
+    }
+
+    fn claims_by<F: Formulas>(&self, rays: &[Ray], claims: &mut [u32]) {
+        let Primitives { leaves, spheres, .. } = &self.primitives;
+        let count = |ray: &Ray, stack: &mut Stack, _: &mut Path| {
+            let unit = unit_direction(ray.direction);
+            let ray = F::ray(&self.params, ray, &unit);
+            let triangles = |ray: &SingleRay, word, found| {
+                Claims::count(found, F::triangles(ray, &leaves[leaf_range(word).start]).hits)
+            };
+            let balls = |ray: &SingleRay, word, found| {
+                let hit = |i: usize| u32::from(F::sphere(ray, &spheres[i]).hit);
+                leaf_range(word).fold(found, |found, i| Claims::count(found, hit(i)))
+            };
+            self.walk(stack, &unit, &ray, Claims::start(&ray), triangles, balls).claims
+        };
+        self.batch(rays, claims, count, |_, _, _| {});
+    }
+
+    /// The hit by the formulas of a tier in single precision.
     #[inline(always)]
-    fn nearest<const ANY: bool>(
-        &self,
-        stack: &mut Stack,
-        unit: &UnitDirection,
-        ray: &SingleRay,
-        triangle: impl Fn(&SingleRay, &Triangles4) -> Candidates,
-        sphere: impl Fn(&SingleRay, &Sphere) -> Candidate,
-    ) -> Hit {
+    fn nearest<F: Formulas, const ANY: bool>(&self, ray: &Ray, stack: &mut Stack) -> Hit {
+        let unit = unit_direction(ray.direction);
+        let ray = F::ray(&self.params, ray, &unit);
         let Primitives { leaves, spheres, sphere_ids, .. } = &self.primitives;
         self.walk(
             stack,
-            unit,
-            ray,
-            Nearest::<ANY>::start(ray),
+            &unit,
+            &ray,
+            Nearest::<ANY>::start(&ray),
             #[inline(always)]
-            |ray: &SingleRay, word, found| intersect_triangles(leaves, ray, word, found, &triangle),
+            |ray: &SingleRay, word, found| intersect_triangles(leaves, ray, word, found, F::triangles),
             #[inline(always)]
-            |ray: &SingleRay, word, found| intersect_spheres(spheres, sphere_ids, ray, word, found, &sphere),
+            |ray: &SingleRay, word, found| intersect_spheres(spheres, sphere_ids, ray, word, found, F::sphere),
         )
-        .hit(ray)
+        .hit(&ray)
     }
 
     /// The walk over the leaves that the scene has.
@@ -211,6 +259,12 @@ impl Engine {
         spheres: impl Fn(&R, u32, F) -> F,
     ) -> F {
         let Self { nodes, params, primitives, .. } = self;
+        if let Some(words) = &self.every {
+            let take = |found, &word: &u32| {
+                if word & SPHERES == 0 { triangles(ray, word, found) } else { spheres(ray, word, found) }
+            };
+            return words.iter().fold(start, take);
+        }
         if primitives.spheres.is_empty() {
             traverse(params, nodes, stack, unit, ray, start, triangles)
         } else if primitives.leaves.is_empty() {

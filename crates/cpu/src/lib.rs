@@ -23,14 +23,17 @@
 mod batch;
 mod bvh;
 mod classic;
+mod double;
 mod engine;
 mod exact;
 mod fast;
+mod formulas;
 mod lanes;
 mod leaf;
 mod math;
 mod number;
 mod primitives;
+mod textbook;
 mod wide;
 
 pub use engine::Engine;

@@ -19,21 +19,35 @@ pub(crate) trait Number:
     fn max(self, other: Self) -> Self;
     fn sqrt(self) -> Self;
     fn less(self, other: Self) -> Self::Mask;
+    fn equal(self, other: Self) -> Self::Mask;
     /// `yes` where the mask holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 }
 
 /// One truth a lane.
-pub(crate) trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {}
+pub(crate) trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// Bit `k` is lane `k`.
+    fn bits(self) -> u32;
+}
 
-impl Mask for bool {}
-impl Mask for BVec4A {}
+impl Mask for bool {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        u32::from(self)
+    }
+}
+impl Mask for BVec4A {
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.bitmask()
+    }
+}
 
 /// A format of the processor's own.
 macro_rules! native {
-    ($float:ty, $mask:ty, $constant:expr, $less:expr, $select:expr) => {
+    ($float:ty, $constant:expr) => {
         impl Number for $float {
-            type Mask = $mask;
+            type Mask = bool;
 
             #[inline(always)]
             fn constant(x: f32) -> Self {
@@ -56,19 +70,23 @@ macro_rules! native {
                 self.sqrt()
             }
             #[inline(always)]
-            fn less(self, other: Self) -> $mask {
-                $less(self, other)
+            fn less(self, other: Self) -> bool {
+                self < other
             }
             #[inline(always)]
-            fn select(mask: $mask, yes: Self, no: Self) -> Self {
-                $select(mask, yes, no)
+            fn equal(self, other: Self) -> bool {
+                self == other
+            }
+            #[inline(always)]
+            fn select(mask: bool, yes: Self, no: Self) -> Self {
+                if mask { yes } else { no }
             }
         }
     };
 }
 
-native!(f32, bool, |x| x, |a, b| a < b, |m, yes, no| if m { yes } else { no });
-native!(f64, bool, f64::from, |a, b| a < b, |m, yes, no| if m { yes } else { no });
+native!(f32, |x| x);
+native!(f64, f64::from);
 
 impl Number for Vec4 {
     type Mask = BVec4A;
@@ -96,6 +114,10 @@ impl Number for Vec4 {
     #[inline(always)]
     fn less(self, other: Self) -> BVec4A {
         self.cmplt(other)
+    }
+    #[inline(always)]
+    fn equal(self, other: Self) -> BVec4A {
+        self.cmpeq(other)
     }
     #[inline(always)]
     fn select(mask: BVec4A, yes: Self, no: Self) -> Self {

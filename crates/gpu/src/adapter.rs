@@ -40,7 +40,7 @@ fn report(index: usize, adapter: &wgpu::Adapter) -> AdapterReport {
     let wide = gpu.as_ref().ok().and_then(|gpu| gpu.wide().ok().flatten());
     let fingerprints = match gpu {
         Err(e) => vec![Err(e.to_string())],
-        Ok(gpu) => Route::ALL
+        Ok(gpu) => Route::TAKEN
             .into_iter()
             .filter(|route| *route != Route::ExactSpirv || gpu.route() == Route::ExactSpirv)
             .map(|route| match gpu.fingerprint() {

@@ -9,7 +9,7 @@ use rayproof_scene::Ray;
 use crate::Error;
 use crate::engine::OnDevice;
 use crate::gpu::Gpu;
-use crate::kernel::{Kernel, Pass, Query};
+use crate::kernel::{Kernel, Pass, Query, Walk};
 
 /// Threads of a workgroup; `WORKGROUP_SIZE` in `shaders/batch.wgsl`.
 const WORKGROUP: u32 = 64;
@@ -38,6 +38,12 @@ struct Params {
 /// The two counters at the head of the list in `shaders/exact/list.wgsl`, in a readback.
 const COUNTERS: u64 = 8;
 
+/// The device's clock before and after the kernels, in a readback.
+const TICKS: u64 = 16;
+
+/// What follows the answers in a readback.
+const TAIL: u64 = COUNTERS + TICKS;
+
 /// Workgroups of a pass over a list, whose length only the device knows.
 const LIST_GROUPS: u32 = 1024;
 
@@ -62,6 +68,8 @@ struct Slot {
     hits: wgpu::Buffer,
     list: wgpu::Buffer,
     readback: wgpu::Buffer,
+    /// Where the device has a clock: the two readings, and the buffer that they come out to.
+    clock: Option<(wgpu::QuerySet, wgpu::Buffer)>,
     bindings: wgpu::BindGroup,
 }
 
@@ -78,8 +86,12 @@ impl Stream {
     pub(crate) fn new(gpu: &Gpu, scene: &OnDevice, query: Query, passes: &[Pass]) -> Result<Self, Error> {
         let layout = gpu.layout(u32::try_from(scene.buffers.len()).unwrap_or(u32::MAX));
         let compile = |&pass: &Pass| -> Result<_, Error> {
-            let kernel = Kernel { pass, query, contents: scene.contents };
-            Ok((gpu.pipeline(&kernel.link(&scene.accessors), kernel.entry(), &layout, gpu.route())?, pass))
+            let kernel = Kernel { pass, query, contents: scene.contents, walk: scene.walk };
+            let host = match scene.walk {
+                Walk::Tree => scene.accessors.clone(),
+                Walk::Every => format!("{}const NODE_COUNT: u32 = {}u;\n", scene.accessors, scene.nodes),
+            };
+            Ok((gpu.pipeline(&kernel.link(&host), kernel.entry(), &layout, gpu.route())?, pass))
         };
         let passes = passes.iter().map(compile).collect::<Result<Vec<_>, Error>>()?;
         let widest = gpu.limits().max_compute_workgroups_per_dimension;
@@ -103,13 +115,13 @@ impl Stream {
             .map(|_| {
                 let params = gpu.buffer("params", size_of::<Params>() as u64, Usage::UNIFORM | Usage::COPY_DST);
                 let rays = gpu.buffer("rays", rays, Usage::STORAGE | Usage::COPY_DST);
-                let readback = gpu.buffer("readback", hits + COUNTERS, Usage::MAP_READ | Usage::COPY_DST);
+                let readback = gpu.buffer("readback", hits + TAIL, Usage::MAP_READ | Usage::COPY_DST);
                 let hits = gpu.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
                 let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
                 let list = gpu.buffer("list", (COUNTERS + lists).max(16), usage);
                 let buffers = [&params, &rays, &hits, &list].into_iter().chain(&scene.buffers);
                 let bindings = gpu.bind(&self.layout, buffers);
-                Slot { params, rays, hits, list, readback, bindings }
+                Slot { params, rays, hits, list, readback, clock: gpu.clock(), bindings }
             })
             .collect();
         gpu.check()?;
@@ -118,18 +130,19 @@ impl Stream {
     }
 
     /// Answers all rays; `take` is given each chunk's first ray, its answers' bytes, and how many rays the first pass left open;
-    /// in order.
+    /// in order. Returned are the nanoseconds that kernels ran, 0 where the device has no clock.
     pub(crate) fn run(
         &mut self,
         gpu: &Gpu,
         scene: &OnDevice,
         rays: &[Ray],
         mut take: impl FnMut(usize, &[u8], u32),
-    ) -> Result<(), Error> {
+    ) -> Result<u64, Error> {
         self.reserve(gpu, scene, rays.len())?;
         let mut flights = std::collections::VecDeque::with_capacity(SLOTS);
         let (mut at, mut slot) = (0, 0);
         let mut last_done = Instant::now();
+        let mut nanoseconds = 0;
         while at < rays.len() || !flights.is_empty() {
             if at < rays.len() && flights.len() < SLOTS {
                 let count = self.chunk.min(self.capacity).min(rays.len() - at);
@@ -139,15 +152,15 @@ impl Stream {
                 continue;
             }
             let Some(flight) = flights.pop_front() else { break };
-            self.land(gpu, &flight, &mut take)?;
+            nanoseconds += self.land(gpu, &flight, &mut take)?;
             self.adapt(flight.count, last_done.elapsed());
             last_done = Instant::now();
         }
-        Ok(())
+        Ok(nanoseconds)
     }
 
     fn launch(&self, gpu: &Gpu, scene: &OnDevice, slot: usize, at: usize, rays: &[Ray]) -> Result<Flight, Error> {
-        let Slot { params, rays: buffer, hits, list, readback, bindings } = &self.slots[slot];
+        let Slot { params, rays: buffer, hits, list, readback, clock, bindings } = &self.slots[slot];
         let ray_count = u32::try_from(rays.len()).unwrap_or(u32::MAX);
         let groups = ray_count.div_ceil(WORKGROUP);
         let row = groups.min(self.widest);
@@ -157,7 +170,12 @@ impl Stream {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.clear_buffer(list, 0, Some(COUNTERS));
         {
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            let timestamp_writes = clock.as_ref().map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
+                query_set,
+                beginning_of_pass_write_index: Some(0),
+                end_of_pass_write_index: Some(1),
+            });
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: None, timestamp_writes });
             pass.set_bind_group(0, bindings, &[]);
             for (pipeline, part) in &self.passes {
                 pass.set_pipeline(pipeline);
@@ -171,9 +189,13 @@ impl Stream {
         let bytes = rays.len() as u64 * self.query.answer_size();
         encoder.copy_buffer_to_buffer(hits, 0, readback, 0, bytes);
         encoder.copy_buffer_to_buffer(list, 0, readback, bytes, COUNTERS);
+        if let Some((queries, ticks)) = clock {
+            encoder.resolve_query_set(queries, 0..2, ticks, 0);
+            encoder.copy_buffer_to_buffer(ticks, 0, readback, bytes + COUNTERS, TICKS);
+        }
         let submission = gpu.queue.submit([encoder.finish()]);
         let (sender, mapped) = mpsc::channel();
-        readback.map_async(wgpu::MapMode::Read, 0..bytes + COUNTERS, move |result| {
+        readback.map_async(wgpu::MapMode::Read, 0..bytes + TAIL, move |result| {
             // The receiver is gone only when the batch was given up.
             let _ = sender.send(result);
         });
@@ -181,19 +203,21 @@ impl Stream {
         Ok(Flight { slot, at, count: rays.len(), submission, mapped })
     }
 
-    fn land(&self, gpu: &Gpu, flight: &Flight, take: &mut impl FnMut(usize, &[u8], u32)) -> Result<(), Error> {
+    /// Hands over a chunk's answers; returned are the nanoseconds that its kernels ran.
+    fn land(&self, gpu: &Gpu, flight: &Flight, take: &mut impl FnMut(usize, &[u8], u32)) -> Result<u64, Error> {
         gpu.wait(flight.submission.clone())?;
         let lost = |e: &dyn std::fmt::Display| Error::Device(format!("hits could not be read back: {e}"));
         flight.mapped.recv().map_err(|e| lost(&e))?.map_err(|e| lost(&e))?;
-        let readback = &self.slots[flight.slot].readback;
+        let Slot { readback, clock, .. } = &self.slots[flight.slot];
         let bytes = flight.count as u64 * self.query.answer_size();
-        {
-            let view = readback.get_mapped_range(0..bytes + COUNTERS).map_err(|e| lost(&e))?;
-            let (answers, counters) = view.split_at(usize::try_from(bytes).unwrap_or(usize::MAX));
-            take(flight.at, answers, bytemuck::pod_read_unaligned(&counters[..4]));
-        }
+        let [start, end] = {
+            let view = readback.get_mapped_range(0..bytes + TAIL).map_err(|e| lost(&e))?;
+            let (answers, tail) = view.split_at(usize::try_from(bytes).unwrap_or(usize::MAX));
+            take(flight.at, answers, bytemuck::pod_read_unaligned(&tail[..4]));
+            bytemuck::pod_read_unaligned::<[u64; 2]>(&tail[8..24])
+        };
         readback.unmap();
-        Ok(())
+        Ok(clock.as_ref().map_or(0, |_| gpu.nanoseconds(end.saturating_sub(start))))
     }
 
     /// Doubles or halves the chunk towards [`CHUNK_TIME`].
@@ -232,7 +256,12 @@ mod tests {
         let lists = "const STACK_SIZE: u32 = 32u;
             fn node_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }
             fn triangle_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }";
-        let kernel = Kernel { pass: Pass::Trace(Tier::Fast), query: Query::Closest, contents: Contents::Triangles };
+        let kernel = Kernel {
+            pass: Pass::Trace(Tier::Fast),
+            query: Query::Closest,
+            contents: Contents::Triangles,
+            walk: Walk::Tree,
+        };
         let (module, _) = kernel.link(lists).validate().expect("valid");
         let params = ours(&[
             ("ray_count", offset_of!(Params, ray_count)),

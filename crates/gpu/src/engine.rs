@@ -1,7 +1,9 @@
 //! A scene's tree on a device.
 
 use std::fmt::Write as _;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use bytemuck::Pod;
 use rayproof_scene::bvh::{Bvh, Tier};
@@ -10,7 +12,7 @@ use rayproof_scene::{Hit, Ray};
 use crate::Error;
 use crate::batch::Stream;
 use crate::gpu::Gpu;
-use crate::kernel::{Contents, Pass, Query, Width};
+use crate::kernel::{Contents, Pass, Query, Walk, Width};
 use crate::pages::{Pages, check_bindings};
 use crate::wide::Wide;
 
@@ -25,6 +27,7 @@ pub struct Engine {
     passes: Passes,
     /// Each query's kernels and buffers, made when first asked for; one batch at a time. The last is the first pass alone.
     streams: [Mutex<Option<Stream>>; 4],
+    kernel_nanoseconds: AtomicU64,
 }
 
 /// What a batch left open.
@@ -64,8 +67,11 @@ pub(crate) struct OnDevice {
     /// WGSL: the accessors of the lists and the size of the stack.
     pub(crate) accessors: String,
     pub(crate) buffers: Vec<wgpu::Buffer>,
+    /// How many nodes the tree has.
+    pub(crate) nodes: usize,
     pub(crate) scale_exponent: i32,
     pub(crate) size: f32,
+    pub(crate) walk: Walk,
 }
 
 impl Engine {
@@ -76,6 +82,9 @@ impl Engine {
     /// is not [plain](Bvh::plain).
     pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, tier: Tier) -> Result<Self, Error> {
         if tier != Tier::Exact {
+            if tier == Tier::Double && !gpu.has_f64() {
+                return Err(Error::Device("it has no f64, which the precision double computes in".to_owned()));
+            }
             return Self::with_passes(gpu, bvh, Passes::Single(tier));
         }
         let wide = gpu.wide()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
@@ -98,7 +107,20 @@ impl Engine {
     fn with_passes(gpu: Arc<Gpu>, bvh: &Bvh, passes: Passes) -> Result<Self, Error> {
         let scene = OnDevice::new(&gpu, bvh)?;
         gpu.check()?;
-        Ok(Self { gpu, scene, passes, streams: Default::default() })
+        Ok(Self { gpu, scene, passes, streams: Default::default(), kernel_nanoseconds: AtomicU64::new(0) })
+    }
+
+    /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    #[must_use]
+    pub fn without_tree(mut self) -> Self {
+        self.scene.walk = Walk::Every;
+        self
+    }
+
+    /// Seconds that kernels have run so far, by the device's own clock; `None` where it has none.
+    #[must_use]
+    pub fn kernel_seconds(&self) -> Option<f64> {
+        self.gpu.has_clock().then(|| Duration::from_nanos(self.kernel_nanoseconds.load(Relaxed)).as_secs_f64())
     }
 
     /// The closest hit of each ray, in the rays' order. Rays that are returned as open have no answer yet.
@@ -176,7 +198,7 @@ impl Engine {
             empty => empty.insert(Stream::new(&self.gpu, &self.scene, query, passes)?),
         };
         let mut open = Open::default();
-        stream.run(&self.gpu, &self.scene, rays, |at, bytes, after_first| {
+        let nanoseconds = stream.run(&self.gpu, &self.scene, rays, |at, bytes, after_first| {
             open.after_first += u64::from(after_first);
             for ((i, answer), word) in answers.iter_mut().enumerate().skip(at).zip(bytemuck::cast_slice::<u8, W>(bytes))
             {
@@ -187,6 +209,7 @@ impl Engine {
                 }
             }
         })?;
+        self.kernel_nanoseconds.fetch_add(nanoseconds, Relaxed);
         Ok(open)
     }
 }
@@ -222,6 +245,7 @@ impl OnDevice {
             buffers.extend(pages.buffers);
         }
         check_bindings(gpu, buffers.len() + 3)?;
-        Ok(Self { contents, accessors, buffers, scale_exponent: bvh.scale_exponent, size: bvh.size })
+        let (scale_exponent, size, nodes) = (bvh.scale_exponent, bvh.size, bvh.nodes.len());
+        Ok(Self { contents, accessors, buffers, nodes, scale_exponent, size, walk: Walk::Tree })
     }
 }

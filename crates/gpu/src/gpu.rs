@@ -38,6 +38,8 @@ pub struct Gpu {
     failure: Arc<Mutex<Option<String>>>,
     max_binding: u64,
     has_f64: bool,
+    /// Nanoseconds of a tick of the device's clock, where it has one.
+    tick: Option<f32>,
     /// What the second tier of `exact` computes with, once measured.
     wide: Mutex<Option<Option<Wide>>>,
     /// Kernels by their text and route: scenes share them.
@@ -69,7 +71,7 @@ impl Gpu {
     }
 
     fn open_adapter(adapter: &wgpu::Adapter) -> Result<Self, Error> {
-        let wanted = wgpu::Features::PASSTHROUGH_SHADERS | wgpu::Features::SHADER_F64;
+        let wanted = wgpu::Features::PASSTHROUGH_SHADERS | wgpu::Features::SHADER_F64 | wgpu::Features::TIMESTAMP_QUERY;
         let features = adapter.features() & wanted;
         let limits = adapter.limits();
         let descriptor = wgpu::DeviceDescriptor {
@@ -100,6 +102,7 @@ impl Gpu {
         let max_binding = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
         let controls = float_controls::query(adapter);
         let info = adapter.get_info();
+        let tick = features.contains(wgpu::Features::TIMESTAMP_QUERY).then(|| queue.get_timestamp_period());
         Ok(Self {
             device,
             queue,
@@ -111,6 +114,7 @@ impl Gpu {
             failure,
             max_binding,
             has_f64: features.contains(wgpu::Features::SHADER_F64),
+            tick,
             wide: Mutex::default(),
             pipelines: Mutex::default(),
         })
@@ -128,10 +132,49 @@ impl Gpu {
         driver(&self.info)
     }
 
+    /// Whether a processor runs the kernels.
+    #[must_use]
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
     /// How kernels reach the driver.
     #[must_use]
     pub const fn route(&self) -> Route {
         self.route
+    }
+
+    /// Makes kernels take another route from now on, to measure what that does; the tier `exact` runs on its own alone.
+    ///
+    /// # Errors
+    /// When the device has no such route.
+    pub fn take_route(&mut self, route: Route) -> Result<(), Error> {
+        let passes = self.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS);
+        if matches!(route, Route::ExactSpirv | Route::FreeSpirv) && !passes {
+            return Err(Error::Device("it takes no SPIR-V".to_owned()));
+        }
+        self.route = route;
+        self.fingerprint = Some(Fingerprint::measure(self, route)?);
+        Ok(())
+    }
+
+    /// Whether kernels are timed by the device's own clock.
+    pub(crate) const fn has_clock(&self) -> bool {
+        self.tick.is_some()
+    }
+
+    /// Room for two readings of the device's clock.
+    pub(crate) fn clock(&self) -> Option<(wgpu::QuerySet, wgpu::Buffer)> {
+        self.tick?;
+        let descriptor = wgpu::QuerySetDescriptor { label: None, ty: wgpu::QueryType::Timestamp, count: 2 };
+        let ticks = self.buffer("ticks", 16, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
+        Some((self.device.create_query_set(&descriptor), ticks))
+    }
+
+    /// What so many ticks are.
+    pub(crate) fn nanoseconds(&self, ticks: u64) -> u64 {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a duration, to the nanosecond")]
+        self.tick.map_or(0, |tick| (ticks as f64 * f64::from(tick)) as u64)
     }
 
     /// The arithmetic as kernels run it.
@@ -232,7 +275,9 @@ impl Gpu {
         let (module, info) = linked.validate()?;
         let shader = match route {
             Route::ExactSpirv => self.passthrough(&spirv::exact(&module, &info, self.controls)?, entry, &module),
+            Route::FreeSpirv => self.passthrough(&spirv::free(&module, &info)?, entry, &module),
             Route::PlainWgsl => self.plain(linked.source()),
+            Route::UncheckedWgsl => self.unchecked(linked.source()),
         };
         let layout = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(entry),
@@ -273,6 +318,14 @@ impl Gpu {
             label: Some("plain WGSL"),
             source: wgpu::ShaderSource::Wgsl(source.into()),
         })
+    }
+
+    #[expect(unsafe_code, reason = "wgpu's runtime checks are left out, to measure what they cost")]
+    fn unchecked(&self, source: &str) -> wgpu::ShaderModule {
+        let source = wgpu::ShaderSource::Wgsl(source.into());
+        let descriptor = wgpu::ShaderModuleDescriptor { label: Some("unchecked WGSL"), source };
+        // SAFETY: as for passthrough: indices come from our own tree, or are compared with the count.
+        unsafe { self.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
     }
 
     /// Runs a kernel once: its parameters, what it reads, and back what it writes, `count` elements.

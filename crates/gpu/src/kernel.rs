@@ -136,6 +136,16 @@ impl Pass {
     }
 }
 
+/// Which leaves a ray visits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Walk {
+    /// Those whose boxes it meets.
+    #[default]
+    Tree,
+    /// Every one: it tells what the formulas cost by themselves.
+    Every,
+}
+
 /// One kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kernel {
@@ -145,6 +155,8 @@ pub struct Kernel {
     pub query: Query,
     /// The scene's kinds of primitive.
     pub contents: Contents,
+    /// The leaves that are visited.
+    pub walk: Walk,
 }
 
 impl Kernel {
@@ -184,7 +196,10 @@ impl Kernel {
             }
         }
         if !self.pass.rounds() {
-            shaders!(linked, "bvh/traverse.wgsl");
+            match self.walk {
+                Walk::Tree => shaders!(linked, "bvh/traverse.wgsl"),
+                Walk::Every => shaders!(linked, "bvh/every.wgsl"),
+            }
             match self.contents {
                 Contents::Triangles => shaders!(linked, "leaf/only_triangles.wgsl"),
                 Contents::Spheres => shaders!(linked, "leaf/only_spheres.wgsl"),
@@ -201,26 +216,33 @@ impl Kernel {
             Query::Closest => shaders!(linked, "query/closest.wgsl"),
             Query::Any | Query::Count => shaders!(linked, "query/any.wgsl"),
         }
-        let classic = tier == Tier::Classic;
-        if classic {
-            shaders!(linked, "classic/ray.wgsl");
-        } else {
-            shaders!(linked, "fast/ray.wgsl");
+        match tier {
+            Tier::Textbook | Tier::Classic => shaders!(linked, "classic/ray.wgsl"),
+            Tier::Fast | Tier::Pair | Tier::Double | Tier::Exact => shaders!(linked, "fast/ray.wgsl"),
+        }
+        match tier {
+            Tier::Pair => Width::PairOfF32.link(linked),
+            Tier::Double => Width::Double.link(linked),
+            Tier::Textbook | Tier::Classic | Tier::Fast | Tier::Exact => {}
+        }
+        if matches!(tier, Tier::Pair | Tier::Double) {
+            shaders!(linked, "exact/vector.wgsl");
         }
         if self.contents.triangles() {
             shaders!(linked, "leaf/triangles.wgsl");
-            if classic {
-                shaders!(linked, "classic/triangle.wgsl");
-            } else {
-                shaders!(linked, "fast/triangle.wgsl");
+            match tier {
+                Tier::Textbook | Tier::Classic => shaders!(linked, "classic/triangle.wgsl"),
+                Tier::Pair | Tier::Double => shaders!(linked, "double/triangle.wgsl"),
+                Tier::Fast | Tier::Exact => shaders!(linked, "fast/triangle.wgsl"),
             }
         }
         if self.contents.spheres() {
             shaders!(linked, "leaf/spheres.wgsl");
-            if classic {
-                shaders!(linked, "classic/sphere.wgsl");
-            } else {
-                shaders!(linked, "fast/sphere.wgsl");
+            match tier {
+                Tier::Textbook => shaders!(linked, "textbook/sphere.wgsl"),
+                Tier::Classic => shaders!(linked, "classic/sphere.wgsl"),
+                Tier::Pair | Tier::Double => shaders!(linked, "double/sphere.wgsl"),
+                Tier::Fast | Tier::Exact => shaders!(linked, "fast/sphere.wgsl"),
             }
         }
     }

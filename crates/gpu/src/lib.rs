@@ -25,6 +25,6 @@ pub use engine::{Engine, Open};
 pub use error::Error;
 pub use fingerprint::{Fingerprint, Route};
 pub use gpu::{Gpu, Selector};
-pub use kernel::{Contents, Kernel, Pass, Query, Width};
+pub use kernel::{Contents, Kernel, Pass, Query, Walk, Width};
 pub use link::Linked;
 pub use wide::Wide;

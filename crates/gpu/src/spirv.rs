@@ -75,6 +75,11 @@ pub(crate) fn exact(
     Ok(decorate(&write(module, info)?, controls))
 }
 
+/// Writes a module as it is: a driver may rearrange its arithmetic.
+pub(crate) fn free(module: &naga::Module, info: &naga::valid::ModuleInfo) -> Result<Vec<u32>, Error> {
+    write(module, info)
+}
+
 /// Naga's SPIR-V. Indices come from trees of our own and are not checked; loops are known to end.
 fn write(module: &naga::Module, info: &naga::valid::ModuleInfo) -> Result<Vec<u32>, Error> {
     use naga::back::spv;

@@ -12,6 +12,9 @@ pub enum Error {
     /// A question that only the tier `exact` answers.
     #[error("only the precision exact answers this")]
     NotExact,
+    /// A question that only the CPU engine answers.
+    #[error("only the CPU engine answers this")]
+    OnDevice,
     /// More primitives than a tree can number.
     #[error(transparent)]
     TooLarge(#[from] TooLarge),

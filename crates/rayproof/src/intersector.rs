@@ -1,11 +1,12 @@
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
-use rayproof_gpu::{Gpu, Open, Selector};
+use rayproof_gpu::{Gpu, Open};
 use rayproof_scene::bvh::Bvh;
 use rayproof_scene::{Hit, Ray, Scene, Undecided};
 
-use crate::{DeviceInfo, Error, Options, Precision};
+use crate::{Device, DeviceInfo, Error, Options, Precision};
 
 /// A scene made ready on a device.
 pub struct Intersector {
@@ -28,22 +29,38 @@ impl Intersector {
     /// # Errors
     /// When the device is not there, cannot hold the scene, or fails.
     pub fn new(scene: &Scene, options: &Options) -> Result<Self, Error> {
-        let precision = options.precision;
         // The device first: a wrong name should not cost the building of a tree.
-        let (gpu, note) = open(options)?;
+        Self::on(&Device::open(&options.device)?, scene, options.precision)
+    }
+
+    /// The same on a device that is open: for many scenes one after the other.
+    ///
+    /// # Errors
+    /// When the device cannot hold the scene, or fails.
+    pub fn on(device: &Device, scene: &Scene, precision: Precision) -> Result<Self, Error> {
         let start = Instant::now();
         let bvh = Bvh::new(scene, precision.scaling())?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let (engine, info) = match suited(gpu, note, &bvh, precision)? {
+        let (engine, info) = match suited(device, &bvh, precision)? {
             Ok(gpu) => {
-                let info = describe(&gpu, precision);
-                let engine = Box::new(rayproof_gpu::Engine::new(gpu.into(), &bvh, precision)?);
+                let info = describe(gpu, precision);
+                let engine = Box::new(rayproof_gpu::Engine::new(gpu.clone(), &bvh, precision)?);
                 let last = (precision == Precision::Exact).then(|| rayproof_cpu::Engine::new(bvh, precision).into());
                 (Engine::Gpu(engine, last), info)
             }
             Err(note) => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, precision))), cpu_info(note)),
         };
         Ok(Self { engine, info, build_seconds, precision, resolve_nanoseconds: AtomicU64::new(0) })
+    }
+
+    /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    #[must_use]
+    pub fn without_tree(self) -> Self {
+        let engine = match self.engine {
+            Engine::Cpu(engine) => Engine::Cpu(Box::new(engine.without_tree())),
+            Engine::Gpu(engine, last) => Engine::Gpu(Box::new(engine.without_tree()), last),
+        };
+        Self { engine, ..self }
     }
 
     /// The device that answers.
@@ -142,6 +159,33 @@ impl Intersector {
         Duration::from_nanos(self.resolve_nanoseconds.load(Relaxed)).as_secs_f64()
     }
 
+    /// How many primitives claim that a ray hits them in range, by the formulas of the precision (those of `fast` for `exact`):
+    /// unlike [`count`](Self::count) no count of crossings, but what single precision takes for one. Only the CPU engine tells.
+    ///
+    /// # Errors
+    /// [`Error::OnDevice`].
+    ///
+    /// # Panics
+    /// When `rays` and `claims` differ in length.
+    pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) -> Result<(), Error> {
+        match &self.engine {
+            Engine::Cpu(engine) => {
+                engine.claims(rays, claims);
+                Ok(())
+            }
+            Engine::Gpu(..) => Err(Error::OnDevice),
+        }
+    }
+
+    /// Seconds that kernels have run so far, by the device's own clock; `None` where it has none, and on the CPU engine.
+    #[must_use]
+    pub fn kernel_seconds(&self) -> Option<f64> {
+        match &self.engine {
+            Engine::Cpu(_) => None,
+            Engine::Gpu(engine, _) => engine.kernel_seconds(),
+        }
+    }
+
     fn check_exact(&self) -> Result<(), Error> {
         if self.precision == Precision::Exact { Ok(()) } else { Err(Error::NotExact) }
     }
@@ -172,13 +216,12 @@ impl Intersector {
 }
 
 /// The device, where the tier runs on it with this scene; else why the CPU engine takes its place, if there was one.
-fn suited(
-    gpu: Option<Gpu>,
-    note: Option<String>,
+fn suited<'d>(
+    device: &'d Device,
     bvh: &Bvh,
     precision: Precision,
-) -> Result<Result<Gpu, Option<String>>, Error> {
-    let Some(gpu) = gpu else { return Ok(Err(note)) };
+) -> Result<Result<&'d Arc<Gpu>, Option<String>>, Error> {
+    let Some(gpu) = &device.gpu else { return Ok(Err(device.note.clone())) };
     if precision != Precision::Exact {
         return Ok(Ok(gpu));
     }
@@ -192,20 +235,7 @@ fn suited(
     Ok(Err(Some(format!("{} is not used: {reason}; the answers are as exact", gpu.name()))))
 }
 
-/// The device to run on; `None` for the CPU engine, with the reason where it is the fallback.
-fn open(options: &Options) -> Result<(Option<Gpu>, Option<String>), Error> {
-    let Some(selector) = options.device.selector() else { return Ok((None, None)) };
-    match Gpu::open(&selector) {
-        Ok(gpu) => Ok((Some(gpu), None)),
-        Err(rayproof_gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
-            Ok((None, Some("no hardware GPU with a Vulkan driver was found".to_owned())))
-        }
-        Err(e) if selector == Selector::Hardware => Ok((None, Some(format!("the GPU could not be used: {e}")))),
-        Err(e) => Err(e.into()),
-    }
-}
-
-fn cpu_info(note: Option<String>) -> DeviceInfo {
+pub(crate) fn cpu_info(note: Option<String>) -> DeviceInfo {
     let threads = rayproof_cpu::threads();
     DeviceInfo {
         name: format!("CPU engine, {threads} thread{}", if threads == 1 { "" } else { "s" }),
@@ -214,7 +244,7 @@ fn cpu_info(note: Option<String>) -> DeviceInfo {
     }
 }
 
-fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
+pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
     let mut notes = Vec::new();
     if let Some(fingerprint) = gpu.fingerprint()
         && precision != Precision::Exact

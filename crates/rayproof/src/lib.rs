@@ -25,10 +25,12 @@
 //! both roots of a sphere count; among equal `t` the lowest number wins.
 
 mod choice;
+mod device;
 mod error;
 mod intersector;
 
 pub use choice::{DeviceChoice, DeviceInfo, Options};
+pub use device::Device;
 pub use error::Error;
 pub use intersector::Intersector;
 pub use rayproof_gpu::{AdapterReport, Fingerprint, Route, adapters};

@@ -27,6 +27,7 @@ mod camera;
 mod error;
 mod files;
 mod hit;
+pub mod number;
 mod ray;
 mod scene;
 mod sphere;

@@ -6,7 +6,8 @@ use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, WideNode, box_ray, chil
 use crate::batch::Params;
 use crate::math::scale_by_power;
 
-const LEAF: u32 = 1 << 31;
+/// From here on a word names a leaf.
+pub(crate) const LEAF: u32 = 1 << 31;
 const DONE: u32 = u32::MAX;
 
 /// Entries a traversal has kept for later: the key of a child and its word.

@@ -211,6 +211,9 @@ impl Number for Adverse {
     fn less(self, other: Self) -> bool {
         flushed(self.value) < flushed(other.value)
     }
+    fn equal(self, other: Self) -> bool {
+        flushed(self.value) == flushed(other.value)
+    }
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }

@@ -21,7 +21,7 @@ mod ring;
 pub(crate) mod second;
 mod sphere;
 mod triangle;
-mod two;
+pub(crate) mod two;
 mod values;
 mod wide;
 

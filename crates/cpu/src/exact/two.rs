@@ -4,57 +4,81 @@
 //! renormalisation. A result is off by less than `2^-100` relative (Joldes, Muller and Popescu 2017 prove `3 u^2` and `7 u^2`
 //! for such sums and products, `u = 2^-53`; quotient and square root below add one Newton step, under `16 u^2`).
 
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use glam::Vec4;
 
 use crate::number::Number;
 
-/// What one operation is off by at most, relative to its result.
+/// What one operation is off by at most where the parts are `f64`, relative to its result.
 pub(crate) const ROUNDOFF: f32 = f32::from_bits((127 - 100) << 23);
+
+/// A half of a number, or of several abreast.
+pub(crate) trait Part: Number + Neg<Output = Self> {
+    /// `2^s + 1` with `s` half the bits: it cuts a part in two.
+    const SPLITTER: Self;
+}
+
+impl Part for f64 {
+    const SPLITTER: Self = 134_217_729.0; // 2^27 + 1
+}
+impl Part for f32 {
+    const SPLITTER: Self = 4097.0; // 2^12 + 1
+}
+impl Part for Vec4 {
+    const SPLITTER: Self = Self::splat(f32::SPLITTER);
+}
 
 /// `high + low` with `|low|` at most half an ULP of `high`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub(crate) struct Two {
-    pub(crate) high: f64,
-    pub(crate) low: f64,
+pub(crate) struct Two<P = f64> {
+    pub(crate) high: P,
+    pub(crate) low: P,
 }
 
-impl From<f64> for Two {
-    fn from(high: f64) -> Self {
-        Self { high, low: 0.0 }
+impl<P: Part> From<P> for Two<P> {
+    #[inline(always)]
+    fn from(high: P) -> Self {
+        Self { high, low: P::constant(0.0) }
     }
 }
 
 /// `a + b` and what rounding lost.
-fn two_sum(a: f64, b: f64) -> Two {
+#[inline(always)]
+fn two_sum<P: Part>(a: P, b: P) -> Two<P> {
     let high = a + b;
     let part = high - a;
     Two { high, low: (a - (high - part)) + (b - part) }
 }
 
 /// The same where `|a| >= |b|` or `a = 0`.
-fn quick_two_sum(a: f64, b: f64) -> Two {
+#[inline(always)]
+fn quick_two_sum<P: Part>(a: P, b: P) -> Two<P> {
     let high = a + b;
     Two { high, low: b - (high - a) }
 }
 
-/// A number as a sum of two of at most 26 bits.
-fn split(a: f64) -> Two {
-    let scaled = 134_217_729.0 * a; // 2^27 + 1
+/// A number as a sum of two of half its bits.
+#[inline(always)]
+fn split<P: Part>(a: P) -> Two<P> {
+    let scaled = P::SPLITTER * a;
     let high = scaled - (scaled - a);
     Two { high, low: a - high }
 }
 
 /// `a b` and what rounding lost.
-fn two_product(a: f64, b: f64) -> Two {
+#[inline(always)]
+fn two_product<P: Part>(a: P, b: P) -> Two<P> {
     let high = a * b;
     let (x, y) = (split(a), split(b));
     let low = ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low;
     Two { high, low }
 }
 
-impl Add for Two {
+impl<P: Part> Add for Two<P> {
     type Output = Self;
 
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let sum = two_sum(self.high, other.high);
         let rest = two_sum(self.low, other.low);
@@ -63,24 +87,26 @@ impl Add for Two {
     }
 }
 
-impl Sub for Two {
+impl<P: Part> Sub for Two<P> {
     type Output = Self;
 
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self + Self { high: -other.high, low: -other.low }
+        self + -other
     }
 }
 
-impl Mul for Two {
+impl<P: Part> Mul for Two<P> {
     type Output = Self;
 
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.high, other.high);
         quick_two_sum(product.high, product.low + (self.high * other.low + self.low * other.high))
     }
 }
 
-impl Div for Two {
+impl<P: Part> Div for Two<P> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
@@ -92,34 +118,52 @@ impl Div for Two {
     }
 }
 
-impl Number for Two {
-    type Mask = bool;
+impl<P: Part> Neg for Two<P> {
+    type Output = Self;
 
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}
+
+impl<P: Part> Number for Two<P> {
+    type Mask = P::Mask;
+
+    #[inline(always)]
     fn constant(x: f32) -> Self {
-        f64::from(x).into()
+        P::constant(x).into()
     }
+    #[inline(always)]
     fn abs(self) -> Self {
-        if self.high < 0.0 { Self { high: -self.high, low: -self.low } } else { self }
+        Self::select(self.high.less(P::constant(0.0)), -self, self)
     }
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
-        if other.less(self) { other } else { self }
+        Self::select(other.less(self), other, self)
     }
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
-        if self.less(other) { other } else { self }
+        Self::select(self.less(other), other, self)
     }
     fn sqrt(self) -> Self {
-        if self.high <= 0.0 {
-            return Self::from(0.0);
-        }
+        let twice = |x: P| x + x;
         let first = Self::from(self.high.sqrt());
-        let second = (self - first * first).high / (2.0 * first.high);
+        let second = (self - first * first).high / twice(first.high);
         let root = first + Self::from(second);
-        root + Self::from((self - root * root).high / (2.0 * first.high))
+        let root = root + Self::from((self - root * root).high / twice(first.high));
+        Self::select(P::constant(0.0).less(self.high), root, Self::constant(0.0))
     }
-    fn less(self, other: Self) -> bool {
-        self.high < other.high || (self.high == other.high && self.low < other.low)
+    #[inline(always)]
+    fn less(self, other: Self) -> P::Mask {
+        self.high.less(other.high) | (self.high.equal(other.high) & self.low.less(other.low))
     }
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
+    #[inline(always)]
+    fn equal(self, other: Self) -> P::Mask {
+        self.high.equal(other.high) & self.low.equal(other.low)
+    }
+    #[inline(always)]
+    fn select(mask: P::Mask, yes: Self, no: Self) -> Self {
+        Self { high: P::select(mask, yes.high, no.high), low: P::select(mask, yes.low, no.low) }
     }
 }

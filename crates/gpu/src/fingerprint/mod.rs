@@ -14,13 +14,19 @@ use crate::link::Linked;
 pub enum Route {
     /// naga's SPIR-V with `NoContraction` and float controls, passed through wgpu.
     ExactSpirv,
+    /// The same SPIR-V without either, to measure what they cost: the driver may rewrite arithmetic.
+    FreeSpirv,
     /// WGSL as wgpu compiles it: the driver may rewrite arithmetic.
     PlainWgsl,
+    /// The same without wgpu's runtime checks, to measure what they cost.
+    UncheckedWgsl,
 }
 
 impl Route {
     /// Every route.
-    pub const ALL: [Self; 2] = [Self::ExactSpirv, Self::PlainWgsl];
+    pub const ALL: [Self; 4] = [Self::ExactSpirv, Self::FreeSpirv, Self::PlainWgsl, Self::UncheckedWgsl];
+    /// Those by which answers come.
+    pub const TAKEN: [Self; 2] = [Self::ExactSpirv, Self::PlainWgsl];
 }
 
 /// 2^-64: it makes small numbers subnormal.

@@ -8,7 +8,9 @@ impl fmt::Display for Route {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::ExactSpirv => "SPIR-V with NoContraction",
+            Self::FreeSpirv => "SPIR-V free to contract",
             Self::PlainWgsl => "plain WGSL",
+            Self::UncheckedWgsl => "plain WGSL, unchecked",
         })
     }
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use super::faults::Faults;
 use super::ray_reader::{Input, Source};
 use super::{DEFAULT_ROW, RAY_COLUMNS, places, ray_of};
-use crate::{BadInput, Error, Ray};
+use crate::{BadInput, Error, Ray, number};
 
 /// The longest line that is read, in bytes: what is longer is no table of rays.
 const MAX_LINE: usize = 1 << 16;
@@ -82,9 +82,12 @@ impl CsvRays {
             count += 1;
             let Some(&column) = self.columns.get(i) else { continue };
             // Straight to f32: by way of f64 it would be rounded twice.
-            values[column] = std::str::from_utf8(field).ok().and_then(|text| text.parse().ok()).ok_or_else(|| {
+            values[column] = std::str::from_utf8(field).ok().and_then(number::parse).ok_or_else(|| {
                 let field = String::from_utf8_lossy(field).chars().take(80).collect::<String>();
-                (format!("{} is {field:?}, not a number", RAY_COLUMNS[column]), "give a decimal number".to_owned())
+                (
+                    format!("{} is {field:?}, not a number", RAY_COLUMNS[column]),
+                    "give a decimal number, or a hexadecimal float that is an f32".to_owned(),
+                )
             })?;
         }
         let names = self.columns.len();

@@ -56,22 +56,45 @@ pub enum Scaling {
 /// How hits are computed: which formulas run at the leaves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Tier {
+    /// The quadratic as schoolbooks have it, with both its cancellations, in `f32`; triangles as in `Classic`. Here to be seen
+    /// failing.
+    Textbook,
     /// The two formulas by the book in `f32`: the baseline that the report measures.
     Classic,
     /// `f32`, the best-conditioned single-precision form of each.
     Fast,
+    /// The formulas of `Fast` in pairs of `f32`, rounded at the end: for devices without `f64`. No promise.
+    Pair,
+    /// The formulas of `Fast` in `f64`, rounded at the end. No promise.
+    Double,
     /// Exact arithmetic's answer, rounded once: certificates in `f32`, and wider arithmetic for what they leave open.
     #[default]
     Exact,
 }
 
 impl Tier {
+    /// Every tier, from the plainest to the best.
+    pub const ALL: [Self; 6] = [Self::Textbook, Self::Classic, Self::Fast, Self::Pair, Self::Double, Self::Exact];
+
+    /// Its name on the command line and in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Textbook => "textbook",
+            Self::Classic => "classic",
+            Self::Fast => "fast",
+            Self::Pair => "pair",
+            Self::Double => "double",
+            Self::Exact => "exact",
+        }
+    }
+
     /// How a tree for this tier is scaled.
     #[must_use]
     pub const fn scaling(self) -> Scaling {
         match self {
-            Self::Classic => Scaling::None,
-            Self::Fast | Self::Exact => Scaling::PowerOfTwo,
+            Self::Textbook | Self::Classic => Scaling::None,
+            Self::Fast | Self::Pair | Self::Double | Self::Exact => Scaling::PowerOfTwo,
         }
     }
 }

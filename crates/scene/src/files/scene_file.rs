@@ -8,7 +8,7 @@ use toml::Value;
 
 use super::faults::{Faults, nearest};
 use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending};
-use crate::{Camera, Error, Geometry, Scene, Sphere};
+use crate::{Camera, Error, Geometry, Mesh, Scene, Sphere, number};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -24,6 +24,8 @@ struct Entry {
     mesh: Option<String>,
     /// A path, or rows of `[x, y, z, radius]`.
     spheres: Option<Value>,
+    /// Rows of three corners, `[ax, ay, az, bx, by, bz, cx, cy, cz]`.
+    triangles: Option<Value>,
 }
 
 #[derive(Deserialize)]
@@ -37,7 +39,8 @@ struct View {
 
 pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
     let name = path.display().to_string();
-    let expected = "give [[geometry]] with `mesh` or `spheres`, and [camera] with `eye`, `target`, `up` and `fov_y`";
+    let expected =
+        "give [[geometry]] with `mesh`, `spheres` or `triangles`, and [camera] with `eye`, `target`, `up` and `fov_y`";
     let bytes = read(path)?;
     let text = std::str::from_utf8(&bytes).map_err(|e| {
         let line = 1 + bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count();
@@ -59,8 +62,8 @@ pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
 }
 
 fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometry, Error> {
-    match (entry.mesh, entry.spheres) {
-        (Some(mesh), None) => {
+    match (entry.mesh, entry.spheres, entry.triangles) {
+        (Some(mesh), None, None) => {
             let path = folder.join(&mesh);
             if ending(&path) == "toml" {
                 let place = format!("geometry {i} (counting from 0)");
@@ -69,7 +72,7 @@ fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometr
             }
             load_mesh(&path, "give a mesh: .obj, .ply, .stl, .gltf or .glb").map(Geometry::Mesh)
         }
-        (None, Some(Value::String(table))) => {
+        (None, Some(Value::String(table)), None) => {
             let path = folder.join(table);
             let name = path.display().to_string();
             let spheres = match ending(&path).as_str() {
@@ -79,27 +82,29 @@ fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometr
             };
             spheres.map(Geometry::Spheres)
         }
-        (None, Some(Value::Array(rows))) => inline(file, i, &rows).map(Geometry::Spheres),
-        (mesh, spheres) => {
-            let what = match (mesh, spheres) {
-                (None, None) => "it has no `mesh` and no `spheres`",
-                (None, Some(_)) => "`spheres` is neither a path nor rows",
-                (Some(_), _) => "it has both `mesh` and `spheres`",
+        (None, Some(Value::Array(rows)), None) => spheres_of(file, i, &rows).map(Geometry::Spheres),
+        (None, None, Some(Value::Array(rows))) => triangles_of(file, i, &rows).map(Geometry::Mesh),
+        (mesh, spheres, triangles) => {
+            let what = match [mesh.is_some(), spheres.is_some(), triangles.is_some()] {
+                [false, false, false] => "it has no `mesh`, no `spheres` and no `triangles`",
+                [false, true, false] => "`spheres` is neither a path nor rows",
+                [false, false, true] => "`triangles` are no rows",
+                _ => "it has more than one of `mesh`, `spheres` and `triangles`",
             };
-            let expected = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..]";
+            let expected = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..], \
+                            triangles = [[ax, ay, az, bx, by, bz, cx, cy, cz], ..]";
             Err(Error::bad(file, format!("geometry {i} (counting from 0)"), what, expected))
         }
     }
 }
 
 /// Rows of `[x, y, z, radius]` in the file itself.
-fn inline(file: &str, geometry: usize, rows: &[Value]) -> Result<Vec<Sphere>, Error> {
+fn spheres_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Vec<Sphere>, Error> {
     let mut faults = Faults::new(file);
     let mut table = Vec::with_capacity(rows.len());
     for (i, row) in rows.iter().enumerate() {
         let place = format_args!("geometry {geometry}, sphere {i} (counting from 0)");
-        let numbers = row.as_array().and_then(|row| row.iter().map(number).collect::<Option<Vec<_>>>());
-        match numbers.and_then(|numbers| <[f32; 4]>::try_from(numbers).ok()) {
+        match numbers::<4>(row) {
             Some(row) => {
                 faults.sphere(place, spheres::sphere(row));
                 table.push(spheres::sphere(row));
@@ -111,11 +116,39 @@ fn inline(file: &str, geometry: usize, rows: &[Value]) -> Result<Vec<Sphere>, Er
     Ok(table)
 }
 
+/// Rows of three corners in the file itself.
+fn triangles_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Mesh, Error> {
+    let mut faults = Faults::new(file);
+    let mut mesh = Mesh::default();
+    for (i, row) in rows.iter().enumerate() {
+        let place = format_args!("geometry {geometry}, triangle {i} (counting from 0)");
+        let Some([ax, ay, az, bx, by, bz, cx, cy, cz]) = numbers::<9>(row) else {
+            let expected = "give [ax, ay, az, bx, by, bz, cx, cy, cz]";
+            faults.add(place, format_args!("`{row}` is not nine numbers"), expected);
+            continue;
+        };
+        let corners = [Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)];
+        corners.into_iter().for_each(|corner| faults.vertex(place, corner));
+        let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX - 2);
+        mesh.vertices.extend(corners);
+        mesh.triangles.push([first, first + 1, first + 2]);
+    }
+    faults.none()?;
+    Ok(mesh)
+}
+
+/// A row of exactly `N` numbers.
+fn numbers<const N: usize>(row: &Value) -> Option<[f32; N]> {
+    row.as_array()?.iter().map(number_of).collect::<Option<Vec<_>>>()?.try_into().ok()
+}
+
 #[expect(clippy::cast_precision_loss, reason = "integers are rounded to the nearest too")]
-fn number(value: &Value) -> Option<f32> {
+fn number_of(value: &Value) -> Option<f32> {
     match *value {
         Value::Float(x) => Some(nearest(x)),
         Value::Integer(x) => Some(x as f32),
+        // TOML has no hexadecimal floats.
+        Value::String(ref word) if word.contains(['x', 'X']) => number::parse(word),
         _ => None,
     }
 }

@@ -4,7 +4,7 @@ use glam::Vec3;
 use npyz::{DType, NpyHeader, Order};
 
 use super::faults::{Faults, nearest};
-use crate::{Error, Sphere};
+use crate::{Error, Sphere, number};
 
 pub(super) fn sphere([x, y, z, radius]: [f32; 4]) -> Sphere {
     Sphere { center: Vec3::new(x, y, z), radius }
@@ -35,7 +35,7 @@ pub(super) fn csv(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
         let line = record.position().map_or(0, csv::Position::line);
         let mut row = [0.0; 4];
         for (value, word) in row.iter_mut().zip(&record) {
-            *value = word.parse().unwrap_or_else(|_| {
+            *value = number::parse(word).unwrap_or_else(|| {
                 faults.add(format_args!("line {line}"), format_args!("`{word}` is not a number"), expected);
                 0.0
             });

@@ -59,6 +59,11 @@ fn numbers_are_rounded_once() {
         t_max: f32::INFINITY,
     };
     assert_eq!(bits(&rays[0]), bits(&expected));
+    let same = read(&format!("{HEADER}0x1.000002p+0,-0x0p+0,0x1p-149,+1,0x.8p0,0x1p1,-inf,inf\n")).unwrap();
+    assert_eq!(
+        bits(&same[0]),
+        bits(&Ray { t_min: f32::NEG_INFINITY, direction: Vec3::new(1.0, 0.5, 2.0), ..expected })
+    );
 }
 
 #[test]

@@ -118,12 +118,14 @@ fn unknown_endings_are_named() {
 
 #[test]
 fn what_is_not_a_scene_file_is_named() {
-    let format = "give [[geometry]] with `mesh` or `spheres`, and [camera] with `eye`, `target`, `up` and `fov_y`";
-    let one_of = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..]";
+    let format =
+        "give [[geometry]] with `mesh`, `spheres` or `triangles`, and [camera] with `eye`, `target`, `up` and `fov_y`";
+    let one_of = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..], \
+                  triangles = [[ax, ay, az, bx, by, bz, cx, cy, cz], ..]";
     for (text, expected) in [
         (
             "\n[[geometry]]\nmehs = \"a.ply\"",
-            format!("line 3: unknown field `mehs`, expected `mesh` or `spheres`; {format}"),
+            format!("line 3: unknown field `mehs`, expected one of `mesh`, `spheres`, `triangles`; {format}"),
         ),
         (
             "[[geometries]]\nmesh = \"a.ply\"",
@@ -139,14 +141,23 @@ fn what_is_not_a_scene_file_is_named() {
         ),
         ("\n[camera]\neye = [0, 0]", format!("line 3: invalid length 2, expected an array of length 3; {format}")),
         ("a = = 1", format!("line 1: extra `=`, expected nothing; {format}")),
-        ("[[geometry]]", format!("geometry 0 (counting from 0): it has no `mesh` and no `spheres`; {one_of}")),
+        (
+            "[[geometry]]",
+            format!("geometry 0 (counting from 0): it has no `mesh`, no `spheres` and no `triangles`; {one_of}"),
+        ),
         (
             "[[geometry]]\nspheres = []\n[[geometry]]\nmesh = \"a.ply\"\nspheres = []",
-            format!("geometry 1 (counting from 0): it has both `mesh` and `spheres`; {one_of}"),
+            format!(
+                "geometry 1 (counting from 0): it has more than one of `mesh`, `spheres` and `triangles`; {one_of}"
+            ),
         ),
         (
             "[[geometry]]\nspheres = 3",
             format!("geometry 0 (counting from 0): `spheres` is neither a path nor rows; {one_of}"),
+        ),
+        (
+            "[[geometry]]\ntriangles = \"a.obj\"",
+            format!("geometry 0 (counting from 0): `triangles` are no rows; {one_of}"),
         ),
     ] {
         assert_eq!(said(text), format!("scene.toml: {expected}"));
@@ -189,6 +200,29 @@ fn bad_spheres_are_named() {
     }
     let expected = "bad.csv: line 2: the radius -4.0 is negative; give a radius of zero or more";
     assert_eq!(said("[[geometry]]\nspheres = \"bad.csv\""), expected);
+}
+
+#[test]
+fn triangles_and_hexadecimal_floats_stand_in_the_file() {
+    let text =
+        "[[geometry]]\ntriangles = [[0, 0, 0, \"0x1p-149\", 0, 0, 0, \"-0x1.8p+3\", 0], [0, 0, 0, 1, 0, 0, 0, 1, 0]]";
+    let folder = folder(text);
+    let scene = load(&folder.path().join("scene.toml")).unwrap().scene;
+    let Geometry::Mesh(mesh) = &scene.geometries()[0] else { panic!("{scene:?}") };
+    assert_eq!(mesh.triangle(0).b.x.to_bits(), 1);
+    assert_eq!((mesh.triangle(0).c.y, mesh.triangle(1).b), (-12.0, Vec3::X));
+    let nine = "give [ax, ay, az, bx, by, bz, cx, cy, cz]";
+    for (row, expected) in [
+        ("[0, 0, 0]", format!("`[0, 0, 0]` is not nine numbers; {nine}")),
+        (
+            "[0, 0, 0, 1, 0, 0, 0, 1, \"0x1.00000001p0\"]",
+            format!("`[0, 0, 0, 1, 0, 0, 0, 1, \"0x1.00000001p0\"]` is not nine numbers; {nine}"),
+        ),
+    ] {
+        let expected = format!("scene.toml: geometry 0, triangle 0 (counting from 0): {expected}");
+        assert_eq!(said(&format!("[[geometry]]\ntriangles = [{row}]")), expected);
+    }
+    assert!(said("[[geometry]]\ntriangles = [[0, 0, 0, nan, 0, 0, 0, 1, 0]]").contains("triangle 0"));
 }
 
 #[test]

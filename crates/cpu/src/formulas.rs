@@ -1,0 +1,47 @@
+//! The tiers in single precision, and those that round at the end: each a choice of formulas.
+
+use glam::Vec4;
+use rayproof_scene::{Ray, Sphere};
+
+use crate::batch::{Candidate, Params, SingleRay};
+use crate::bvh::slab::UnitDirection;
+use crate::double::{self, F64x4};
+use crate::exact::two::Two;
+use crate::lanes::{Candidates, Triangles4};
+use crate::{classic, fast, textbook};
+
+/// How a tier computes hits.
+pub(crate) trait Formulas {
+    fn ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> SingleRay;
+    fn triangles(ray: &SingleRay, triangles: &Triangles4) -> Candidates;
+    fn sphere(ray: &SingleRay, sphere: &Sphere) -> Candidate;
+}
+
+macro_rules! formulas {
+    ($($name:ident: $ray:expr, $triangles:expr, $sphere:expr;)+) => {$(
+        pub(crate) struct $name;
+
+        impl Formulas for $name {
+            #[inline(always)]
+            fn ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> SingleRay {
+                $ray(params, ray, unit)
+            }
+            #[inline(always)]
+            fn triangles(ray: &SingleRay, triangles: &Triangles4) -> Candidates {
+                $triangles(ray, triangles)
+            }
+            #[inline(always)]
+            fn sphere(ray: &SingleRay, sphere: &Sphere) -> Candidate {
+                $sphere(ray, sphere)
+            }
+        }
+    )+};
+}
+
+formulas! {
+    Textbook: classic::tier_ray, classic::intersect_triangle, textbook::intersect_sphere;
+    Classic: classic::tier_ray, classic::intersect_triangle, classic::intersect_sphere;
+    Fast: fast::tier_ray, fast::intersect_triangle, fast::intersect_sphere;
+    Pair: fast::tier_ray, double::intersect_triangle::<Two<Vec4>>, double::intersect_sphere::<Two<f32>>;
+    Double: fast::tier_ray, double::intersect_triangle::<F64x4>, double::intersect_sphere::<f64>;
+}

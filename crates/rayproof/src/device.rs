@@ -1,0 +1,73 @@
+use std::sync::Arc;
+
+use rayproof_gpu::{Fingerprint, Gpu, Route, Selector};
+
+use crate::intersector::{cpu_info, describe};
+use crate::{DeviceChoice, DeviceInfo, Error, Precision};
+
+/// A device, open: scenes share it, with the kernels it has compiled.
+#[derive(Clone)]
+pub struct Device {
+    /// None is the CPU engine.
+    pub(crate) gpu: Option<Arc<Gpu>>,
+    /// Why it is the CPU engine, where something else was sought.
+    pub(crate) note: Option<String>,
+}
+
+impl Device {
+    /// Opens the device that was chosen and measures its arithmetic.
+    ///
+    /// # Errors
+    /// When it is not there, or fails.
+    pub fn open(choice: &DeviceChoice) -> Result<Self, Error> {
+        let Some(selector) = choice.selector() else { return Ok(Self { gpu: None, note: None }) };
+        match Gpu::open(&selector) {
+            Ok(gpu) => Ok(Self { gpu: Some(gpu.into()), note: None }),
+            Err(rayproof_gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
+                Ok(Self { gpu: None, note: Some("no hardware GPU with a Vulkan driver was found".to_owned()) })
+            }
+            Err(e) if selector == Selector::Hardware => {
+                Ok(Self { gpu: None, note: Some(format!("the GPU could not be used: {e}")) })
+            }
+            Err(e) => Err(e.into()),
+        }
+    }
+
+    /// Opens the same device anew with kernels that take another route, to measure what the usual one costs.
+    ///
+    /// # Errors
+    /// When it is the CPU engine ([`Error::OnDevice`] tells the reverse), has no such route, or fails.
+    pub fn open_with_route(choice: &DeviceChoice, route: Route) -> Result<Self, Error> {
+        let selector = choice.selector().ok_or_else(|| Error::NoDevice("the CPU engine has no kernels".to_owned()))?;
+        let mut gpu = Gpu::open(&selector)?;
+        gpu.take_route(route)?;
+        Ok(Self { gpu: Some(gpu.into()), note: None })
+    }
+
+    /// Whether it is the CPU engine.
+    #[must_use]
+    pub const fn is_cpu(&self) -> bool {
+        self.gpu.is_none()
+    }
+
+    /// Whether it is a processor that runs kernels, and no GPU.
+    #[must_use]
+    pub fn is_software(&self) -> bool {
+        self.gpu.as_ref().is_some_and(|gpu| gpu.is_software())
+    }
+
+    /// Its arithmetic, as kernels run it; none for the CPU engine.
+    #[must_use]
+    pub fn fingerprint(&self) -> Option<&Fingerprint> {
+        self.gpu.as_ref().and_then(|gpu| gpu.fingerprint())
+    }
+
+    /// What it is, for a precision.
+    #[must_use]
+    pub fn info(&self, precision: Precision) -> DeviceInfo {
+        match &self.gpu {
+            Some(gpu) => describe(gpu, precision),
+            None => cpu_info(self.note.clone()),
+        }
+    }
+}
