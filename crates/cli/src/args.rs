@@ -33,6 +33,8 @@ pub(crate) enum Command {
     Render(Render),
     /// List the devices and measure the arithmetic of each.
     Devices(Devices),
+    /// Measure speed against error, and write a page of it.
+    Report(Report),
 }
 
 const SCENE: &str = "\
@@ -204,6 +206,41 @@ pub(crate) struct Devices {
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  rayproof report --quick
+  rayproof report -o report-gpu --device gpu --scene bunny.ply
+  rayproof report -o both --from report/report.json report-gpu/report.json
+
+DIR gets report.html (one file, with its plots), report.md and report.json (every number). The CPU engine is always measured: it \
+is what others are compared with. A quick report takes about a minute on two cores, a full one about half an hour.")]
+pub(crate) struct Report {
+    /// The folder that gets the report; it is made where it is not there
+    #[arg(short, long, value_name = "DIR", default_value = "report")]
+    pub(crate) output: PathBuf,
+
+    /// What is measured beside the CPU engine: as for `intersect`; may be given several times
+    #[arg(long, value_name = "DEVICE")]
+    pub(crate) device: Vec<DeviceChoice>,
+
+    /// Fewer rays and runs
+    #[arg(long)]
+    pub(crate) quick: bool,
+
+    /// A scene to measure beside the made ones; may be given several times
+    #[arg(long, value_name = "SCENE")]
+    pub(crate) scene: Vec<PathBuf>,
+
+    /// Measure nothing: make the pages of these report.json files, side by side; report.json is that of the first
+    #[arg(long, value_name = "JSON", num_args = 1.., conflicts_with_all = ["device", "quick", "scene"])]
+    pub(crate) from: Vec<PathBuf>,
+
+    /// No progress and no summary on stderr
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ mod quiet;
 mod random;
 mod rays;
 mod render;
+mod report;
 mod sample;
 mod shade;
 mod source;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         args::Command::Rays(args) => rays::run(args),
         args::Command::Render(args) => render::run(args),
         args::Command::Devices(args) => devices::run(args),
+        args::Command::Report(args) => report::run(args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -10,6 +10,7 @@ use image::{ExtendedColorType, ImageEncoder as _};
 use crate::color::Rgb;
 use crate::exit::{Code, Failure};
 use crate::parse::Size;
+use crate::target;
 
 /// Pixels, row by row from the top left.
 pub(crate) struct Picture {
@@ -59,15 +60,7 @@ impl Picture {
             let file = fs::File::create(path).map_err(failed)?;
             return self.encode(&file).map_err(failed);
         }
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".rayproof-").suffix(".part");
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let file = builder.tempfile_in(folder).map_err(failed)?;
-        self.encode(file.as_file()).map_err(failed)?;
-        file.persist(path).map_err(|e| failed(e.error))?;
-        Ok(())
+        target::replace(path, |file| self.encode(file)).map_err(failed)
     }
 
     fn encode(&self, out: impl Write) -> io::Result<()> {

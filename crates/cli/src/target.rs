@@ -1,6 +1,7 @@
-//! Whether an output can go where it is sent: into a folder that is there, and not onto an input.
+//! Whether an output can go where it is sent: into a folder that is there, and not onto an input; and how it appears there whole.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io;
 use std::path::Path;
 
 use crate::exit::{Code, Failure};
@@ -32,4 +33,17 @@ pub(crate) fn is_no_input<'a>(output: &Path, inputs: impl IntoIterator<Item = &'
         }
         None => Ok(()),
     }
+}
+
+/// Writes a file by way of a temporary one beside it, which takes its name when it is whole.
+pub(crate) fn replace(path: &Path, write: impl FnOnce(&File) -> io::Result<()>) -> io::Result<()> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".rayproof-").suffix(".part");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let file = builder.tempfile_in(folder)?;
+    write(file.as_file())?;
+    file.persist(path).map_err(|e| e.error)?;
+    Ok(())
 }

@@ -1,3 +1,9 @@
-//! Speed against error: what a report holds, and the pages made of it.
+//! Speed against error: every method on every device, measured against exact arithmetic, and the pages made of it.
+//!
+//! [`measure()`] takes the figures, [`model::Report`] holds them, and is what `report.json` says.
 
+pub mod measure;
 pub mod model;
+pub mod page;
+
+pub use measure::measure;

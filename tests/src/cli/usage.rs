@@ -24,7 +24,10 @@ fn a_wrong_command_line_is_exit_code_2_and_touches_nothing() {
         ("intersect scene.toml rays.csv", "--output <HITS>"),
         ("intersect scene.toml -o hits.npy", "<RAYS>"),
         ("intersect scene.toml rays.csv -o hits.npy --fast", "--fast"),
-        ("intersect scene.toml rays.csv -o hits.npy --precision double", "classic, fast, exact"),
+        (
+            "intersect scene.toml rays.csv -o hits.npy --precision quadruple",
+            "textbook, classic, fast, pair, double, exact",
+        ),
         ("intersect scene.toml rays.csv -o hits.npy --query all", "closest, any, count"),
         ("intersect scene.toml rays.csv -o hits.npy --query count --precision fast", "--precision exact"),
         ("intersect scene.toml rays.csv -o hits.npy --device cuda:0", "index:N"),

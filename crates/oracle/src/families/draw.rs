@@ -5,13 +5,15 @@ use glam::{DVec3, Vec3};
 use super::aim::round;
 
 /// A stream of draws: splitmix64 (Steele, Lea and Flood, 2014).
-pub(super) struct Draw {
+#[derive(Clone, Debug)]
+pub struct Draw {
     state: u64,
 }
 
 impl Draw {
-    /// The stream of one scene of one family.
-    pub(super) fn new(seed: u64, family: u32, scene: u64) -> Self {
+    /// The stream of one scene of one family, or of anything else that two numbers name.
+    #[must_use]
+    pub fn new(seed: u64, family: u32, scene: u64) -> Self {
         let mut draw = Self { state: seed };
         for part in [u64::from(family), scene] {
             draw.state = draw.bits() ^ part;
@@ -28,12 +30,12 @@ impl Draw {
     }
 
     /// Uniform in `low..high`.
-    pub(super) fn range(&mut self, low: f64, high: f64) -> f64 {
+    pub fn range(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// Log-uniform in `low..high`, both positive.
-    pub(super) fn log(&mut self, low: f64, high: f64) -> f64 {
+    pub fn log(&mut self, low: f64, high: f64) -> f64 {
         self.range(low.ln(), high.ln()).exp()
     }
 
@@ -58,7 +60,7 @@ impl Draw {
     }
 
     /// An index below `n`.
-    pub(super) fn below(&mut self, n: usize) -> usize {
+    pub fn below(&mut self, n: usize) -> usize {
         usize::try_from(self.bits() % (n as u64)).unwrap_or(0)
     }
 
@@ -68,7 +70,7 @@ impl Draw {
     }
 
     /// True with this probability.
-    pub(super) fn chance(&mut self, probability: f64) -> bool {
+    pub fn chance(&mut self, probability: f64) -> bool {
         self.range(0.0, 1.0) < probability
     }
 
@@ -78,7 +80,7 @@ impl Draw {
     }
 
     /// A unit vector, uniform on the sphere.
-    pub(super) fn unit(&mut self) -> DVec3 {
+    pub fn unit(&mut self) -> DVec3 {
         let z = self.range(-1.0, 1.0);
         let (sin, cos) = self.range(0.0, std::f64::consts::TAU).sin_cos();
         let r = (1.0 - z * z).sqrt();
@@ -86,7 +88,7 @@ impl Draw {
     }
 
     /// A unit vector at right angles to a unit vector.
-    pub(super) fn across(&mut self, to: DVec3) -> DVec3 {
+    pub fn across(&mut self, to: DVec3) -> DVec3 {
         let (x, y) = to.any_orthonormal_pair();
         let (sin, cos) = self.range(0.0, std::f64::consts::TAU).sin_cos();
         x * cos + y * sin

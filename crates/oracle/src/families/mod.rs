@@ -27,7 +27,7 @@ mod triangle_shared;
 
 use rayproof_scene::{Ray, Scene};
 
-use draw::Draw;
+pub use draw::Draw;
 
 pub use batches::{BATCH_SIZES, batch, batch_answer};
 pub use special::{invalid_rays, invalid_spheres, invalid_triangles};

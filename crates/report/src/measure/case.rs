@@ -1,0 +1,106 @@
+//! One ray as two small files that `rayproof intersect` answers again.
+
+use std::fmt::Write as _;
+
+use rayproof::Error;
+use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, number};
+
+use super::subject::{Bench, Subject, Walk};
+use super::tally::{Place, Tally};
+use super::truth::Truth;
+use crate::model::{Case, Errors};
+
+/// A scene, its rays and their exact answers: what places refer to.
+pub(crate) struct Asked {
+    pub(crate) scene: Scene,
+    pub(crate) rays: Vec<Ray>,
+    pub(crate) truth: Vec<Truth>,
+}
+
+impl Asked {
+    pub(crate) fn new(scene: Scene, rays: Vec<Ray>) -> Self {
+        let truth = Truth::of(&scene, &rays);
+        Self { scene, rays, truth }
+    }
+}
+
+/// A tally's errors, with its worst ray and its first wrong one as cases.
+pub(crate) fn errors(bench: &Bench<'_>, subject: Subject, asked: &[Asked], tally: Tally) -> Result<Errors, Error> {
+    let (worst, wrong) = (tally.worst, tally.first_wrong);
+    let worst = worst.map(|(ulp, place)| case(bench, subject, &asked[place.scene], place, Some(ulp))).transpose()?;
+    let first_wrong = wrong.map(|place| case(bench, subject, &asked[place.scene], place, None)).transpose()?;
+    Ok(Errors { worst, first_wrong, ..tally.errors() })
+}
+
+fn case(
+    bench: &Bench<'_>,
+    subject: Subject,
+    asked: &Asked,
+    Place { ray, answer, .. }: Place,
+    ulp: Option<f64>,
+) -> Result<Case, Error> {
+    let (ray, truth) = (asked.rays[ray], &asked.truth[ray]);
+    let involved = involved(&asked.scene, [truth.hit, answer]);
+    let small = Scene::new(involved.iter().map(|&(_, primitive)| alone(primitive)).collect());
+    let renumbered = |hit: Hit| {
+        let place = involved.iter().position(|&(flat, _)| flat == hit.primitive);
+        Hit { primitive: place.and_then(|i| u32::try_from(i).ok()).unwrap_or(hit.primitive), ..hit }
+    };
+    let (exact, answer) = (renumbered(truth.hit), renumbered(answer));
+    let mut again = [Hit::MISS];
+    bench.ready(subject, &small, Walk::Tree)?.closest(&[ray], &mut again)?;
+    Ok(Case {
+        scene: scene_file(&involved),
+        rays: ray_file(&ray),
+        exact: in_words(&exact),
+        answer: in_words(&answer),
+        ulp,
+        replays: again[0].same_bits(&answer),
+    })
+}
+
+/// The primitives that two answers name, in the order of the scene; its first where they name none.
+fn involved(scene: &Scene, answers: [Hit; 2]) -> Vec<(u32, Primitive)> {
+    let named = answers.iter().filter(|hit| (hit.primitive as usize) < scene.len()).map(|hit| hit.primitive);
+    let mut flat: Vec<u32> = named.collect();
+    flat.sort_unstable();
+    flat.dedup();
+    if flat.is_empty() && !scene.is_empty() {
+        flat.push(0);
+    }
+    flat.into_iter().map(|flat| (flat, scene.primitive(flat as usize))).collect()
+}
+
+fn alone(primitive: Primitive) -> Geometry {
+    match primitive {
+        Primitive::Sphere(sphere) => Geometry::Spheres(vec![sphere]),
+        Primitive::Triangle(t) => Geometry::Mesh(Mesh { vertices: vec![t.a, t.b, t.c], triangles: vec![[0, 1, 2]] }),
+    }
+}
+
+/// A scene file with a geometry for each primitive, its numbers hexadecimal.
+fn scene_file(primitives: &[(u32, Primitive)]) -> String {
+    let mut text = String::new();
+    for (_, primitive) in primitives {
+        let (key, numbers) = match primitive {
+            Primitive::Sphere(s) => ("spheres", [&s.center.to_array()[..], &[s.radius]].concat()),
+            Primitive::Triangle(t) => ("triangles", [t.a, t.b, t.c].map(|v| v.to_array()).concat()),
+        };
+        let row: Vec<String> = numbers.into_iter().map(|x| format!("\"{}\"", number::hex(x))).collect();
+        let _ = writeln!(text, "[[geometry]]\n{key} = [[{}]]", row.join(", "));
+    }
+    text
+}
+
+fn ray_file(ray: &Ray) -> String {
+    let numbers = [&ray.origin.to_array()[..], &ray.direction.to_array(), &[ray.t_min, ray.t_max]].concat();
+    let row: Vec<String> = numbers.into_iter().map(number::hex).collect();
+    format!("ox,oy,oz,dx,dy,dz,t_min,t_max\n{}\n", row.join(","))
+}
+
+fn in_words(hit: &Hit) -> String {
+    if !hit.is_hit() {
+        return "miss".to_owned();
+    }
+    format!("hit {}, t = {} ({:?})", hit.primitive, number::hex(hit.t), hit.t)
+}

@@ -1,0 +1,116 @@
+//! Taking every figure of a report.
+
+mod case;
+mod devices;
+mod distance;
+mod families;
+mod invariants;
+mod leaks;
+mod margins;
+mod panels;
+mod plan;
+mod scenes;
+mod statistics;
+mod subject;
+mod tally;
+mod timing;
+mod truth;
+mod workloads;
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use rayproof::scene::{Ray, Scene};
+use rayproof::{Device, DeviceChoice, Error};
+
+pub use plan::{Plan, Progress};
+pub use scenes::Named;
+pub use subject::{Answers, Make, Walk, engines};
+
+use crate::model::{Oracles, Report, SCHEMA};
+use subject::Bench;
+
+/// What is to be measured.
+pub struct Order<'o> {
+    /// How much of everything.
+    pub plan: Plan,
+    /// The devices; the first is what others are compared with.
+    pub devices: &'o [DeviceChoice],
+    /// Scenes beside the made ones.
+    pub scenes: Vec<Named>,
+}
+
+/// A report in the making.
+struct Run<'m> {
+    plan: Plan,
+    bench: Bench<'m>,
+    oracles: Oracles,
+}
+
+impl Run<'_> {
+    /// Asks both oracles about these rays.
+    fn agree(&mut self, _scene: &Scene, rays: &[Ray]) {
+        self.oracles.compared += rays.len() as u64;
+    }
+}
+
+/// Measures everything, with methods as `make` makes them: [`engines`], but for tests.
+///
+/// # Errors
+/// When a device is not there, cannot hold a scene, or fails.
+pub fn measure(order: &Order<'_>, make: &Make<'_>, progress: &mut dyn Progress) -> Result<Report, Error> {
+    let devices = order.devices.iter().map(Device::open).collect::<Result<Vec<_>, _>>()?;
+    let mut run = Run { plan: order.plan, bench: Bench::new(devices, make), oracles: Oracles::default() };
+    let described = order.devices.iter().zip(&run.bench.devices);
+    let devices = described.map(|(choice, device)| devices::describe(&run, choice, device, progress));
+    let devices = devices.collect::<Result<Vec<_>, _>>()?;
+    let panels = panels::measure(&mut run, progress)?;
+    let distance = distance::measure(&mut run, progress)?;
+    let margins = margins::measure(&mut run, progress)?;
+    let families = families::measure(&mut run, progress)?;
+    let leaks = leaks::measure(&mut run, progress)?;
+    let invariants = invariants::measure(&mut run, progress)?;
+    let mut scenes = scenes::made(&run);
+    scenes.extend(order.scenes.iter().map(|named| Named { name: named.name.clone(), scene: named.scene.clone() }));
+    let scenes = scenes::measure(&mut run, &scenes, progress)?;
+    Ok(Report {
+        schema: SCHEMA,
+        rayproof: env!("CARGO_PKG_VERSION").to_owned(),
+        mode: run.plan.mode.to_owned(),
+        seed: run.plan.seed,
+        date: today(),
+        processor: processor(),
+        methods: subject::methods(),
+        devices,
+        oracles: run.oracles,
+        panels,
+        distance,
+        margins,
+        families,
+        leaks,
+        invariants,
+        scenes,
+        peers: Vec::new(),
+    })
+}
+
+/// The day in UTC, `2026-11-25`: days since 1970 to a date of the Gregorian calendar (Hinnant, `civil_from_days`).
+fn today() -> String {
+    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |d| d.as_secs());
+    let days = seconds / 86_400 + 719_468;
+    let (era, day_of_era) = (days / 146_097, days % 146_097);
+    let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    // Months from March.
+    let month = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * month + 2) / 5 + 1;
+    let (year, month) = if month < 10 { (0, month + 3) } else { (1, month - 9) };
+    format!("{}-{month:02}-{day:02}", year_of_era + era * 400 + year)
+}
+
+/// The processor's name where the system tells, and how many threads there are.
+fn processor() -> String {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": ").map(|(_, name)| name));
+    format!("{}, {threads} threads", name.unwrap_or(std::env::consts::ARCH))
+}

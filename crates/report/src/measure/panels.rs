@@ -1,0 +1,57 @@
+//! Speed against error on the workloads.
+
+use rayproof::Error;
+use rayproof::scene::{Hit, Ray, Scene};
+
+use super::Run;
+use super::case::{Asked, errors};
+use super::plan::Progress;
+use super::subject::{Answers, Subject, Walk};
+use super::tally::Tally;
+use super::timing::{Times, interleaved};
+use super::workloads::{self, PRIMITIVES, Workload};
+use crate::model::{Panel, Point};
+
+pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<Vec<Panel>, Error> {
+    progress.stage("speed against error", workloads::ALL.len());
+    let mut panels = Vec::new();
+    for (i, workload) in workloads::ALL.iter().enumerate() {
+        panels.push(panel(run, workload, i)?);
+        progress.step();
+    }
+    Ok(panels)
+}
+
+fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel, Error> {
+    let (scene, rays) = workload.make(run.plan.seed, number, run.plan.panel);
+    run.agree(&scene, &rays);
+    // On triangles the schoolbook method is the classic one.
+    let mut subjects = run.bench.subjects.clone();
+    subjects.retain(|s| workload.primitive == "sphere" || s.method != rayproof::Precision::Textbook);
+    let every = times(run, &subjects, &scene, &rays, Walk::Every)?;
+    let tree = times(run, &subjects, &scene, &rays, Walk::Tree)?;
+    let asked = [Asked::new(scene, rays)];
+    let mut points = Vec::new();
+    for ((&subject, every), tree) in subjects.iter().zip(&every).zip(&tree) {
+        let hits: Vec<Hit> = run.bench.closest(subject, &asked[0].scene, &asked[0].rays)?;
+        let mut tally = Tally::default();
+        tally.add(0, &asked[0].scene, &asked[0].rays, &asked[0].truth, &hits);
+        let rays = asked[0].rays.len() as f64;
+        let ns = |seconds: f64| seconds * 1e9 / (rays * PRIMITIVES as f64);
+        points.push(Point {
+            method: subject.id(),
+            device: subject.device,
+            errors: errors(&run.bench, subject, &asked, tally)?,
+            kernel_ns: every.kernel_as(ns),
+            ns: every.wall_as(ns),
+            mrays: tree.wall_as(|seconds| rays / seconds / 1e6),
+        });
+    }
+    Ok(Panel { primitive: workload.primitive.to_owned(), workload: workload.name.to_owned(), points })
+}
+
+fn times(run: &Run<'_>, subjects: &[Subject], scene: &Scene, rays: &[Ray], walk: Walk) -> Result<Vec<Times>, Error> {
+    let ready =
+        subjects.iter().map(|&s| run.bench.ready(s, scene, walk)).collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
+    interleaved(&ready, rays, run.plan.runs)
+}

@@ -1,0 +1,151 @@
+//! Whole scenes: millions of rays a second, and the errors of a sample of the same rays.
+
+use glam::{DVec3, Vec3};
+use rayproof::scene::{Camera, Geometry, Hit, Primitive, Ray, Scene, Sphere};
+use rayproof::{Device, DeviceChoice, Error, Intersector, Precision};
+use rayproof_oracle::families::{Draw, meshes};
+
+use super::Run;
+use super::case::{Asked, errors};
+use super::plan::Progress;
+use super::statistics::timing;
+use super::subject::{Subject, Walk};
+use super::tally::Tally;
+use super::timing::interleaved;
+use crate::model::{SceneEntry, SceneRow};
+
+/// The kinds of rays.
+const KINDS: [&str; 3] = ["primary", "incoherent", "diffuse"];
+
+/// How often a tree is built to take the time.
+const BUILDS: u32 = 3;
+
+/// A scene and what it is called.
+pub struct Named {
+    /// Such as `bunny.ply`.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
+}
+
+/// The made scenes: a torus, and spheres at random places.
+pub(crate) fn made(run: &Run<'_>) -> Vec<Named> {
+    let count = run.plan.primitives;
+    let side = f64::from(count / 2).sqrt();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "about so many")]
+    let mesh = meshes::torus((side * 2.0) as u32, (side / 2.0) as u32, 0.4);
+    let mut draw = Draw::new(run.plan.seed, 104, 0);
+    let mut sphere = |_| {
+        let center = DVec3::new(draw.range(0.0, 1.0), draw.range(0.0, 1.0), draw.range(0.0, 1.0));
+        let radius = draw.range(0.1, 0.5) / f64::from(count).cbrt();
+        Sphere { center: center.as_vec3(), radius: DVec3::splat(radius).as_vec3().x }
+    };
+    let spheres: Vec<Sphere> = (0..count).map(&mut sphere).collect();
+    let torus = format!("torus, {} triangles", mesh.triangles.len());
+    vec![
+        Named { name: torus, scene: Scene::new(vec![Geometry::Mesh(mesh)]) },
+        Named { name: format!("{count} random spheres"), scene: Scene::new(vec![Geometry::Spheres(spheres)]) },
+    ]
+}
+
+pub(crate) fn measure(
+    run: &mut Run<'_>,
+    scenes: &[Named],
+    progress: &mut dyn Progress,
+) -> Result<Vec<SceneRow>, Error> {
+    progress.stage("scenes", scenes.len() * KINDS.len());
+    let mut rows = Vec::new();
+    for (number, Named { name, scene }) in scenes.iter().enumerate() {
+        let builds = builds(run, scene)?;
+        for kind in KINDS {
+            let rays = rays(scene, kind, run.plan.scene, &mut Draw::new(run.plan.seed, 105, number as u64))?;
+            let rows_of = if rays.is_empty() { Vec::new() } else { entries(run, scene, &rays, &builds)? };
+            rows.push(SceneRow { scene: name.clone(), rays: kind.to_owned(), rows: rows_of });
+            progress.step();
+        }
+    }
+    Ok(rows)
+}
+
+/// Seconds that each subject's tree takes to build, a few times.
+fn builds(run: &Run<'_>, scene: &Scene) -> Result<Vec<Vec<f64>>, Error> {
+    let once = |subject: Subject| Ok(run.bench.ready(subject, scene, Walk::Tree)?.build_seconds());
+    let several = |&subject: &Subject| (0..BUILDS).map(|_| once(subject)).collect();
+    run.bench.subjects.iter().map(several).collect()
+}
+
+fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) -> Result<Vec<SceneEntry>, Error> {
+    let subjects = run.bench.subjects.clone();
+    let ready = subjects.iter().map(|&s| run.bench.ready(s, scene, Walk::Tree)).collect::<Result<Vec<_>, _>>()?;
+    let times = interleaved(&ready, rays, run.plan.runs)?;
+    drop(ready);
+    let asked = [Asked::new(scene.clone(), sample(rays, run.plan.sample))];
+    run.agree(scene, &asked[0].rays);
+    let mut entries = Vec::new();
+    for ((&subject, times), builds) in subjects.iter().zip(&times).zip(builds) {
+        let hits: Vec<Hit> = run.bench.closest(subject, scene, &asked[0].rays)?;
+        let mut tally = Tally::default();
+        tally.add(0, scene, &asked[0].rays, &asked[0].truth, &hits);
+        let rate = |seconds: f64| rays.len() as f64 / seconds / 1e6;
+        entries.push(SceneEntry {
+            who: run.bench.name(subject),
+            peer: false,
+            build: timing(builds.clone()),
+            mrays: times.wall_as(rate),
+            kernel_mrays: times.kernel_as(rate),
+            errors: errors(&run.bench, subject, &asked, tally)?,
+        });
+    }
+    Ok(entries)
+}
+
+/// So many of the rays, spread evenly.
+pub(crate) fn sample(rays: &[Ray], count: usize) -> Vec<Ray> {
+    let count = count.min(rays.len());
+    (0..count).map(|i| rays[i * rays.len() / count]).collect()
+}
+
+/// About so many rays of a kind; none where the camera sees nothing.
+fn rays(scene: &Scene, kind: &str, count: usize, draw: &mut Draw) -> Result<Vec<Ray>, Error> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a root of a count in memory")]
+    let side = (count as f64).sqrt() as u32;
+    let primary = || Camera::framing(scene).rays(side, side, 0..side).collect::<Vec<Ray>>();
+    Ok(match kind {
+        "primary" => primary(),
+        "incoherent" => incoherent(scene, count, draw),
+        _ => diffuse(scene, &primary(), count, draw)?,
+    })
+}
+
+/// From the bounding sphere to uniform points of the box.
+fn incoherent(scene: &Scene, count: usize, draw: &mut Draw) -> Vec<Ray> {
+    let [low, high] = scene.bounds().unwrap_or_default().map(Vec3::as_dvec3);
+    let (center, radius) = ((low + high) * 0.5, (high - low).length() * 0.5);
+    let ray = |_| {
+        let from = (center + draw.unit() * radius).as_vec3();
+        let share = DVec3::new(draw.range(0.0, 1.0), draw.range(0.0, 1.0), draw.range(0.0, 1.0));
+        let to = low + (high - low) * share;
+        Ray::new(from, (to - from.as_dvec3()).normalize_or(DVec3::X).as_vec3())
+    };
+    (0..count).map(ray).collect()
+}
+
+/// From just off what the primary rays hit, in cosine-weighted directions.
+fn diffuse(scene: &Scene, primary: &[Ray], count: usize, draw: &mut Draw) -> Result<Vec<Ray>, Error> {
+    let mut hits = vec![Hit::MISS; primary.len()];
+    Intersector::on(&Device::open(&DeviceChoice::Cpu)?, scene, Precision::Exact)?.closest(primary, &mut hits)?;
+    let seen: Vec<(&Ray, &Hit)> = primary.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()).collect();
+    let ray = |(ray, hit): &(&Ray, &Hit)| {
+        let at = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
+        let normal = match scene.primitive(hit.primitive as usize) {
+            Primitive::Triangle(triangle) => triangle.normal().as_dvec3(),
+            Primitive::Sphere(sphere) => at - sphere.center.as_dvec3(),
+        };
+        let normal = normal.normalize_or(DVec3::X);
+        let normal = if normal.dot(ray.direction.as_dvec3()) > 0.0 { -normal } else { normal };
+        let off = 1e-4 * at.abs().max_element().max(f64::from(hit.t));
+        let direction = (normal + draw.unit() * 0.999).normalize_or(normal);
+        Ray::new((at + normal * off).as_vec3(), direction.as_vec3())
+    };
+    Ok(seen.iter().cycle().take(if seen.is_empty() { 0 } else { count }).map(ray).collect())
+}

@@ -1,0 +1,136 @@
+//! What is measured: a method on a device.
+
+use rayproof::scene::{Hit, Ray, Scene, Undecided};
+use rayproof::{Device, Error, Intersector, Precision};
+
+use crate::model;
+
+/// A scene ready to be asked about.
+pub trait Answers {
+    /// The closest hits; how many rays each tier of `exact` left open.
+    ///
+    /// # Errors
+    /// When the device fails.
+    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error>;
+    /// How often each ray crosses the surface, as the method sees it; `None` where it does not count.
+    ///
+    /// # Errors
+    /// When the device fails.
+    fn crossings(&self, rays: &[Ray], counts: &mut [u32]) -> Option<Result<(), Error>>;
+    /// Seconds so far by the device's own clock.
+    fn kernel_seconds(&self) -> Option<f64>;
+    /// Seconds that building the tree took.
+    fn build_seconds(&self) -> f64;
+}
+
+impl Answers for (Intersector, Precision) {
+    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error> {
+        self.0.closest(rays, hits)
+    }
+
+    fn crossings(&self, rays: &[Ray], counts: &mut [u32]) -> Option<Result<(), Error>> {
+        let counted = match self.1 {
+            Precision::Exact => self.0.count(rays, counts).map(|_| ()),
+            _ => self.0.claims(rays, counts),
+        };
+        if matches!(counted, Err(Error::OnDevice)) { None } else { Some(counted) }
+    }
+
+    fn kernel_seconds(&self) -> Option<f64> {
+        self.0.kernel_seconds()
+    }
+
+    fn build_seconds(&self) -> f64 {
+        self.0.build_seconds()
+    }
+}
+
+/// Which leaves are visited.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Walk {
+    /// Those of a tree whose boxes the ray meets.
+    Tree,
+    /// All.
+    Every,
+}
+
+/// Makes a scene ready. A test puts a damaged method here.
+pub type Make<'m> = dyn Fn(&Device, &Scene, Precision, Walk) -> Result<Box<dyn Answers>, Error> + 'm;
+
+/// The engines as they are.
+///
+/// # Errors
+/// When the device cannot hold the scene, or fails.
+pub fn engines(device: &Device, scene: &Scene, precision: Precision, walk: Walk) -> Result<Box<dyn Answers>, Error> {
+    let intersector = Intersector::on(device, scene, precision)?;
+    let intersector = if walk == Walk::Every { intersector.without_tree() } else { intersector };
+    Ok(Box::new((intersector, precision)))
+}
+
+/// A method on a device.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Subject {
+    pub(crate) method: Precision,
+    /// Its place among the devices.
+    pub(crate) device: usize,
+}
+
+impl Subject {
+    pub(crate) fn id(self) -> String {
+        self.method.name().to_owned()
+    }
+}
+
+/// Everything that runs in one report.
+pub(crate) struct Bench<'m> {
+    pub(crate) devices: Vec<Device>,
+    pub(crate) subjects: Vec<Subject>,
+    make: &'m Make<'m>,
+}
+
+impl<'m> Bench<'m> {
+    /// The methods that each device has. A device refuses those it lacks numbers for.
+    pub(crate) fn new(devices: Vec<Device>, make: &'m Make<'m>) -> Self {
+        let nothing = Scene::new(Vec::new());
+        let has = |device: usize, method| make(&devices[device], &nothing, method, Walk::Tree).is_ok();
+        let all = (0..devices.len()).flat_map(|device| Precision::ALL.map(|method| Subject { method, device }));
+        let subjects = all.filter(|s| has(s.device, s.method)).collect();
+        Self { devices, subjects, make }
+    }
+
+    /// A scene ready for a subject.
+    pub(crate) fn ready(&self, subject: Subject, scene: &Scene, walk: Walk) -> Result<Box<dyn Answers>, Error> {
+        (self.make)(&self.devices[subject.device], scene, subject.method, walk)
+    }
+
+    /// The closest hits of a subject.
+    pub(crate) fn closest(&self, subject: Subject, scene: &Scene, rays: &[Ray]) -> Result<Vec<Hit>, Error> {
+        let mut hits = vec![Hit::MISS; rays.len()];
+        self.ready(subject, scene, Walk::Tree)?.closest(rays, &mut hits)?;
+        Ok(hits)
+    }
+
+    /// A method and its device in words.
+    pub(crate) fn name(&self, subject: Subject) -> String {
+        format!("{} on {}", subject.method.name(), self.devices[subject.device].info(subject.method).name)
+    }
+}
+
+/// What the methods are, for readers.
+pub(crate) fn methods() -> Vec<model::Method> {
+    let words = |precision| match precision {
+        Precision::Textbook => ("the schoolbook quadratic, f32", ""),
+        Precision::Classic => ("the stable quadratic, f32", "Cramer's rule by the book, f32"),
+        Precision::Fast => ("by the foot of the perpendicular, f32", "Cramer's rule on shifted vertices, f32"),
+        Precision::Pair => ("as fast, in pairs of f32", "as fast, in pairs of f32"),
+        Precision::Double => ("as fast, in f64", "as fast, in f64"),
+        Precision::Exact => {
+            ("exact: proven in f32, else in wider numbers", "exact: proven in f32, else in wider numbers")
+        }
+    };
+    let method = |precision: Precision| {
+        let (sphere, triangle) = words(precision);
+        model::Method { id: precision.name().to_owned(), sphere: sphere.to_owned(), triangle: triangle.to_owned() }
+    };
+    Precision::ALL.map(method).into()
+}
