@@ -13,6 +13,8 @@ mod scenes;
 mod statistics;
 mod subject;
 mod tally;
+#[cfg(test)]
+mod tests;
 mod timing;
 mod truth;
 mod workloads;

@@ -79,7 +79,7 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
     let ready = subjects.iter().map(|&s| run.bench.ready(s, scene, Walk::Tree)).collect::<Result<Vec<_>, _>>()?;
     let times = interleaved(&ready, rays, run.plan.runs)?;
     drop(ready);
-    let asked = [Asked::new(scene.clone(), sample(rays, run.plan.sample))];
+    let asked = [Asked::new(scene.clone(), sample(rays, run.plan.sample, &mut Draw::new(run.plan.seed, 106, 0)))];
     run.agree(scene, &asked[0].rays);
     let mut entries = Vec::new();
     for ((&subject, times), builds) in subjects.iter().zip(&times).zip(builds) {
@@ -99,10 +99,9 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
     Ok(entries)
 }
 
-/// So many of the rays, spread evenly.
-pub(crate) fn sample(rays: &[Ray], count: usize) -> Vec<Ray> {
-    let count = count.min(rays.len());
-    (0..count).map(|i| rays[i * rays.len() / count]).collect()
+/// So many of the rays, drawn at random: an even stride might follow a column of the picture.
+pub(crate) fn sample(rays: &[Ray], count: usize, draw: &mut Draw) -> Vec<Ray> {
+    (0..count.min(rays.len())).map(|_| rays[draw.below(rays.len())]).collect()
 }
 
 /// About so many rays of a kind; none where the camera sees nothing.
