@@ -20,7 +20,7 @@ pub(crate) struct Workload {
 pub(crate) static ALL: [Workload; 4] = [
     Workload {
         primitive: "sphere",
-        name: "Far spheres: 64 of radius 1, seen from 1,000 away; one ray in five is aimed at the rim.",
+        name: "Far spheres: 64 of radius 1, seen from 1,000 away; one ray in five is at the rim.",
         make: far_spheres,
     },
     Workload {
@@ -30,12 +30,12 @@ pub(crate) static ALL: [Workload; 4] = [
     },
     Workload {
         primitive: "triangle",
-        name: "Triangles: 64 of size 1, seen from 100 away; one ray in five is aimed at an edge or a vertex.",
+        name: "Triangles: 64 of size 1, seen from 100 away; one ray in five is at an edge or a vertex.",
         make: triangles,
     },
     Workload {
         primitive: "triangle",
-        name: "Slivers: 64 of length 1 and width 1e-5, seen from 10 away; one ray in five is aimed at an edge or a vertex.",
+        name: "Slivers: 64 of size 1 x 1e-5, from 10 away; one ray in five is at an edge or a vertex.",
         make: slivers,
     },
 ];

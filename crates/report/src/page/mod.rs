@@ -1,14 +1,33 @@
-//! stand-in until the page is merged
+//! The pages made of reports. Each is a function of the model alone: every number on them is in `report.json`.
+
+mod curves;
+mod format;
+mod html;
+mod markdown;
+mod pareto;
+mod sections;
+mod svg;
+mod table;
+#[cfg(test)]
+mod tests;
+
 use crate::model::Report;
-/// h
-pub fn html(_: &[Report]) -> String {
-    String::new()
+
+/// The page: one file of HTML with its plots, for reading offline or on paper. The first report is shown first; the devices of all
+/// stand side by side in the plot.
+#[must_use]
+pub fn html(reports: &[Report]) -> String {
+    html::html(reports)
 }
-/// m
-pub fn markdown(_: &[Report]) -> String {
-    String::new()
+
+/// The tables in Markdown.
+#[must_use]
+pub fn markdown(reports: &[Report]) -> String {
+    markdown::markdown(reports)
 }
-/// p
-pub fn plot(_: &Report) -> String {
-    String::new()
+
+/// The plot of speed against error as an SVG file.
+#[must_use]
+pub fn plot(report: &Report) -> String {
+    pareto::plot(std::slice::from_ref(report), pareto::Speed::Test)
 }

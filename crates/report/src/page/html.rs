@@ -1,0 +1,164 @@
+//! The report as one HTML file: no script, no network.
+
+use std::fmt::Write as _;
+
+use super::format::{escape, number};
+use super::pareto::{self, Speed};
+use super::sections::{self, Section};
+use super::{curves, table};
+use crate::model::{Case, Family, Report};
+
+const STYLE: &str = include_str!("page.css");
+
+pub(crate) fn html(reports: &[Report]) -> String {
+    let mut out = format!(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Rayproof: speed against error</title>\n\
+         <link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Speed against error</h1>\n"
+    );
+    let Some(first) = reports.first() else {
+        out.push_str("<p>There is no report to show.</p>\n</main>\n</body>\n</html>\n");
+        return out;
+    };
+    paragraphs(&mut out, &sections::lead(first));
+    section(&mut out, &sections::summary(first));
+    plots(&mut out, reports);
+    rest(&mut out, first);
+    for report in &reports[1..] {
+        let _ = writeln!(out, "<h1>{}</h1>", escape(sections::device(report, report.devices.len().saturating_sub(1))));
+        paragraphs(&mut out, &sections::lead(report));
+        section(&mut out, &sections::summary(report));
+        rest(&mut out, report);
+    }
+    section(&mut out, &sections::reading());
+    out.push_str("</main>\n</body>\n</html>\n");
+    out
+}
+
+fn plots(out: &mut String, reports: &[Report]) {
+    let first = &reports[0];
+    out.push_str("<h2>Speed against error</h2>\n");
+    if first.panels.is_empty() {
+        out.push_str("<p>Not measured in this report.</p>\n");
+        return;
+    }
+    let note = "A mark is a method on a device. Above: the error of t that 99.9 % of the hits stay within, and a whisker up to the worst. \
+                Below: the share of misclassified rays; where none was, the mark lies on the floor and the whisker reaches the 95 % bound. \
+                The grey steps join the points that no other beats in both. Left and down is better.";
+    paragraphs(out, &[note.to_owned()]);
+    figure(out, &pareto::plot(reports, Speed::Test));
+    let more = "The same against rays a second: right and down is better. On 64 primitives a tree saves little; whole scenes are below.";
+    let _ = writeln!(out, "<details><summary>The same against millions of rays a second</summary>\n<p>{more}</p>");
+    figure(out, &pareto::plot(reports, Speed::Rays));
+    out.push_str("</details>\n");
+}
+
+fn rest(out: &mut String, report: &Report) {
+    folded(out, &sections::points(report));
+    out.push_str("<h2>A sphere that moves away</h2>\n");
+    let note = "A sphere of radius 1, rays all over its disc. B² − 4AC cancels: at a distance of 1,000 radii the quadratic has lost half its digits, at 10,000 \
+                it loses hits, and the stable form of its roots does not help. Curves that coincide are drawn over one another.";
+    paragraphs(out, &[note.to_owned()]);
+    if report.distance.is_empty() {
+        out.push_str("<p>Not measured in this report.</p>\n")
+    } else {
+        figure(out, &curves::distance(report))
+    }
+    out.push_str("<h2>How far from the edge verdicts go wrong</h2>\n");
+    if report.margins.is_empty() {
+        out.push_str("<p>Not measured in this report.</p>\n")
+    } else {
+        figure(out, &curves::margins(report))
+    }
+    paragraphs(out, &[largest_wrong(report)]);
+    section(out, &sections::matrix(report, 0));
+    for family in &report.families {
+        details(out, report, family);
+    }
+    folded(out, &sections::leaks(report));
+    folded(out, &sections::invariants(report));
+    section(out, &sections::scenes(report));
+    section(out, &sections::peers(report));
+    section(out, &sections::arithmetic(report));
+    section(out, &sections::rules(report));
+}
+
+/// The largest margins of wrong verdicts in words.
+fn largest_wrong(report: &Report) -> String {
+    let on_first = report.margins.iter().filter(|c| c.device == 0);
+    let one = |c: &crate::model::MarginCurve| {
+        let far = if c.largest_wrong == 0.0 { "none wrong".to_owned() } else { number(c.largest_wrong) };
+        format!("{}, {}: {far}", c.primitive, c.method)
+    };
+    let all: Vec<String> = on_first.map(one).collect();
+    if all.is_empty() {
+        String::new()
+    } else {
+        format!("The largest margin at which a verdict was wrong: {}.", all.join("; "))
+    }
+}
+
+fn details(out: &mut String, report: &Report, family: &Family) {
+    let _ = writeln!(
+        out,
+        "<details><summary>{} {}</summary>\n<p>{}</p>",
+        family.number,
+        escape(&family.name),
+        escape(&family.stresses)
+    );
+    out.push_str(&sections::family(report, family).html());
+    for row in family.rows.iter().filter(|row| row.device == 0) {
+        for (what, case) in [("worst t", &row.errors.worst), ("first misclassified", &row.errors.first_wrong)] {
+            if let Some(case) = case {
+                show(out, &row.method, what, case);
+            }
+        }
+    }
+    out.push_str("</details>\n");
+}
+
+/// A case as commands to paste.
+fn show(out: &mut String, method: &str, what: &str, case: &Case) {
+    let off = case.ulp.map_or(String::new(), |ulp| format!(", off by {} ULP", number(ulp)));
+    let replays = if case.replays { "" } else { " (alone it answers otherwise: the other primitives matter)" };
+    let _ = writeln!(
+        out,
+        "<p>{method}, {what}: exact is {}; the answer {}{off}{replays}</p>\n<pre>cat &gt; case.toml &lt;&lt;'END'\n{}END\ncat &gt; case.csv \
+         &lt;&lt;'END'\n{}END\nrayproof intersect case.toml case.csv -o - --to csv --device cpu --precision {method} --check 1</pre>",
+        escape(&case.exact),
+        escape(&case.answer),
+        escape(&case.scene),
+        escape(&case.rays)
+    );
+}
+
+fn figure(out: &mut String, svg: &str) {
+    let _ = writeln!(out, "<figure>\n{svg}</figure>");
+}
+
+fn paragraphs(out: &mut String, texts: &[String]) {
+    for text in texts.iter().filter(|text| !text.is_empty()) {
+        let _ = writeln!(out, "<p>{}</p>", escape(text));
+    }
+}
+
+fn section(out: &mut String, section: &Section) {
+    let _ = writeln!(out, "<h2>{}</h2>", escape(&section.title));
+    content(out, section);
+}
+
+/// A section whose table is long: closed at first.
+fn folded(out: &mut String, section: &Section) {
+    let _ = writeln!(out, "<h2>{}</h2>\n", escape(&section.title));
+    paragraphs(out, &section.text);
+    out.push_str("<details><summary>Show the table</summary>\n");
+    out.push_str(&section.table.as_ref().map(table::Table::html).unwrap_or_default());
+    out.push_str("</details>\n");
+    paragraphs(out, &section.after);
+}
+
+fn content(out: &mut String, section: &Section) {
+    paragraphs(out, &section.text);
+    out.push_str(&section.table.as_ref().map(table::Table::html).unwrap_or_default());
+    paragraphs(out, &section.after);
+}

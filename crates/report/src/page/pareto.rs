@@ -1,0 +1,207 @@
+//! The plot: speed against error, a point for each method on each device.
+
+use super::format::{number, percent};
+use super::svg::{Area, Drawing, Scale, style};
+use crate::model::{Panel, Point, Report};
+
+/// What stands on the horizontal axis.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Speed {
+    /// Nanoseconds a test: less is better.
+    Test,
+    /// Millions of rays a second: more is better.
+    Rays,
+}
+
+impl Speed {
+    fn of(self, point: &Point) -> f64 {
+        match self {
+            Self::Test => point.kernel_ns.unwrap_or(point.ns).median,
+            Self::Rays => point.mrays.median,
+        }
+    }
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Test => "nanoseconds a test of one ray with one primitive, without a tree (less is better)",
+            Self::Rays => "millions of rays a second through a tree of 64 primitives, end to end (more is better)",
+        }
+    }
+}
+
+/// A point and the device that it is drawn as.
+struct Placed<'r> {
+    point: &'r Point,
+    device: usize,
+}
+
+const WIDTH: f64 = 1180.0;
+const PANEL: f64 = 590.0;
+const TALL: f64 = 520.0;
+const TOP: f64 = 46.0;
+/// Room for an axis and its name.
+const LEFT: f64 = 78.0;
+
+/// All panels of all reports, two a row; the devices of the reports follow one another.
+pub(crate) fn plot(reports: &[Report], speed: Speed) -> String {
+    let names: Vec<&str> = reports.iter().flat_map(|r| r.devices.iter().map(|d| d.name.as_str())).collect();
+    let panels = &reports[0].panels;
+    let rows = panels.len().div_ceil(2);
+    let mut drawing = Drawing::new(WIDTH, TOP + rows as f64 * TALL);
+    for (i, name) in names.iter().enumerate() {
+        let x = 70.0 + i as f64 * (WIDTH - 90.0) / names.len().max(1) as f64;
+        drawing.mark(x, 20.0, i, "#555");
+        drawing.text(x + 12.0, 24.5, "start", "#333", name);
+    }
+    for (i, panel) in panels.iter().enumerate() {
+        let (x, y) = ((i % 2) as f64 * PANEL, TOP + (i / 2) as f64 * TALL);
+        draw(&mut drawing, panel, &placed(reports, panel), speed, x, y);
+    }
+    drawing.finish("Speed against error of every method on every device")
+}
+
+/// The points of a panel in all reports.
+fn placed<'r>(reports: &'r [Report], panel: &Panel) -> Vec<Placed<'r>> {
+    let mut all = Vec::new();
+    let mut first = 0;
+    for report in reports {
+        let same = report.panels.iter().filter(|p| p.workload == panel.workload);
+        all.extend(same.flat_map(|p| &p.points).map(|point| Placed { point, device: first + point.device }));
+        first += report.devices.len();
+    }
+    all
+}
+
+fn draw(drawing: &mut Drawing, panel: &Panel, points: &[Placed<'_>], speed: Speed, left: f64, top: f64) {
+    let (title, rest) = panel.workload.split_once(": ").unwrap_or((&panel.workload, ""));
+    drawing.strong(left + LEFT, top + 14.0, title);
+    drawing.text(left + LEFT, top + 31.0, "start", "#555", rest);
+    let speeds: Vec<f64> = points.iter().map(|p| speed.of(p.point)).collect();
+    let (low, high) = bounds(&speeds);
+    // Names stand on the right of their marks.
+    let x = Scale::log(low / 1.35, high * (high / low).powf(0.16) * 1.35, left + LEFT, left + PANEL - 18.0);
+
+    let worst = points.iter().map(|p| p.point.errors.t.max).fold(10.0, f64::max);
+    let y = Scale::log(0.2, worst * 2.0, top + 270.0, top + 44.0);
+    drawing.axes(&x, &y, None);
+    drawing.upward(left + 20.0, top + 157.0, "error of t, ULP: 99.9 % and worst");
+    let half = y.place(0.5);
+    drawing.line([left + LEFT, half, left + PANEL - 18.0, half], "#888", "stroke-dasharray=\"2 3\"");
+    drawing.text(left + LEFT + 5.0, half - 5.0, "start", "#666", "0.5: rounding");
+    errors(drawing, points, speed, &x, &y);
+
+    let rates: Vec<f64> = points.iter().map(|p| shown_rate(p.point)).collect();
+    let (lowest, _) = bounds(&rates);
+    let y = Scale::log(lowest / 4.0, 1.0, top + 466.0, top + 290.0);
+    drawing.axes(&x, &y, Some(speed.name()));
+    drawing.upward(left + 20.0, top + 378.0, "misclassified, share of rays");
+    verdicts(drawing, points, speed, &x, &y);
+}
+
+/// The least and the largest.
+fn bounds(values: &[f64]) -> (f64, f64) {
+    let positive = || values.iter().copied().filter(|&v| v > 0.0);
+    let (low, high) = (positive().fold(f64::INFINITY, f64::min), positive().fold(0.0, f64::max));
+    if low.is_finite() { (low, high) } else { (1.0, 10.0) }
+}
+
+/// The share that is drawn: where none was wrong, the bound.
+fn shown_rate(point: &Point) -> f64 {
+    let wrong = &point.errors.wrong;
+    if wrong.count == 0 { wrong.bound } else { wrong.count as f64 / wrong.of.max(1) as f64 }
+}
+
+/// Upper axes: a mark at the 99.9th percentile, a whisker up to the worst.
+fn errors(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale, y: &Scale) {
+    front(drawing, points, speed, x, y, |p| p.errors.t.p999);
+    let mut labels = Vec::new();
+    for Placed { point, device } in points {
+        let (color, ..) = style(&point.method);
+        let (px, py, worst) = (x.place(speed.of(point)), y.place(point.errors.t.p999), y.place(point.errors.t.max));
+        drawing.line([px, py, px, worst], color, "stroke-width=\"1.5\"");
+        drawing.line([px - 4.0, worst, px + 4.0, worst], color, "stroke-width=\"1.5\"");
+        drawing.mark(px, py, *device, color);
+        labels.push((px, py, color, point.method.clone()));
+    }
+    label(drawing, &labels, y, x);
+}
+
+/// Lower axes: a filled mark at the share of wrong verdicts; where there is none, a whisker down from the bound.
+fn verdicts(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale, y: &Scale) {
+    front(drawing, points, speed, x, y, shown_rate);
+    let bottom = y.place(0.0);
+    let mut labels = Vec::new();
+    for Placed { point, device } in points {
+        let (color, ..) = style(&point.method);
+        let (px, py) = (x.place(speed.of(point)), y.place(shown_rate(point)));
+        let text = if point.errors.wrong.count == 0 {
+            drawing.line([px, py, px, bottom], color, "stroke-width=\"1.5\" stroke-dasharray=\"2 2\"");
+            drawing.line([px - 4.0, py, px + 4.0, py], color, "stroke-width=\"1.5\"");
+            drawing.mark(px, bottom - 6.0, *device, color);
+            labels.push((px, bottom - 6.0, color, format!("{} 0", point.method)));
+            continue;
+        } else {
+            format!("{} {}", point.method, percent(shown_rate(point)))
+        };
+        drawing.mark(px, py, *device, color);
+        labels.push((px, py, color, text));
+    }
+    label(drawing, &labels, y, x);
+}
+
+/// The points that none beats in both, joined by steps.
+fn front(
+    drawing: &mut Drawing,
+    points: &[Placed<'_>],
+    speed: Speed,
+    x: &Scale,
+    y: &Scale,
+    error: impl Fn(&Point) -> f64,
+) {
+    let cost = |p: &Point| if speed == Speed::Test { speed.of(p) } else { -speed.of(p) };
+    let mut all: Vec<&Point> = points.iter().map(|p| p.point).collect();
+    all.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(error(a).total_cmp(&error(b))));
+    let mut best: Option<f64> = None;
+    let mut path: Vec<(f64, f64)> = Vec::new();
+    for point in all {
+        if best.is_none_or(|best| error(point) < best) {
+            let (px, py) = (x.place(speed.of(point)), y.place(error(point)));
+            if let Some(&(_, before)) = path.last() {
+                path.push((px, before));
+            }
+            path.push((px, py));
+            best = Some(error(point));
+        }
+    }
+    drawing.path(&path, "#9aa7b4", "stroke-width=\"3\" stroke-opacity=\"0.6\"");
+}
+
+/// Names beside their marks: each at the nearest place where it covers no mark, no other name and no frame.
+fn label(drawing: &mut Drawing, labels: &[(f64, f64, &'static str, String)], y: &Scale, x: &Scale) {
+    let frame =
+        Area { left: x.place(0.0), right: x.place(f64::INFINITY), top: y.place(f64::INFINITY), bottom: y.place(0.0) };
+    let mut taken: Vec<Area> = labels.iter().map(|&(px, py, ..)| Area::around(px, py, 6.0)).collect();
+    for (px, py, color, text) in labels {
+        let width = 7.4 * text.chars().count() as f64;
+        let places = (0..12).flat_map(|k| {
+            let dy = f64::from((k + 1) / 2 * 14) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            [(px + 11.0, py + dy), (px - 11.0 - width, py + dy)]
+        });
+        let areas =
+            places.map(|(left, middle)| Area { left, right: left + width, top: middle - 7.0, bottom: middle + 7.0 });
+        let free = |area: &Area| area.is_within(&frame) && !taken.iter().any(|other| other.meets(area));
+        let Some(area) = areas.into_iter().find(free) else { continue };
+        let middle = (area.top + area.bottom) / 2.0;
+        if (middle - py).abs() > 15.0 {
+            let end = if area.left > *px { area.left } else { area.right };
+            drawing.line([*px, *py, end, middle], color, "stroke-width=\"0.7\"");
+        }
+        drawing.text(area.left, middle + 4.5, "start", color, text);
+        taken.push(area);
+    }
+}
+
+/// The figures of a point in words, for the table under the plot.
+pub(crate) fn words(point: &Point) -> [String; 2] {
+    [number(point.kernel_ns.unwrap_or(point.ns).median), number(point.mrays.median)]
+}
