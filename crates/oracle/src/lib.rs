@@ -28,6 +28,7 @@ pub mod judge;
 mod oracle;
 mod rational;
 mod root;
+mod second;
 mod sphere;
 mod triangle;
 
@@ -36,3 +37,4 @@ mod tests;
 
 pub use oracle::{ExactHit, Oracle};
 pub use root::Root;
+pub use second::{Agreement, SecondAnswer, SecondOracle, compare};
