@@ -1,5 +1,11 @@
+use glam::Vec3;
+use rayproof_scene::{Sphere, Triangle};
+
 use super::*;
-use crate::families;
+use crate::families::{self, Draw};
+use crate::root::Root;
+use crate::sphere::Roots;
+use crate::triangle::PlanePoint;
 
 const SEED: u64 = 20_261_125;
 
@@ -47,4 +53,46 @@ fn a_damaged_answer_is_a_disagreement() {
         }
         assert_eq!(judged(exact, count + 1).disagreed, 1);
     }
+}
+
+/// Places that lie near one another, and on one another: small whole numbers.
+#[test]
+fn places_compare_as_the_rationals_do() {
+    let mut draw = Draw::new(SEED, 200, 0);
+    let mut whole = |n: f64| (draw.range(-n, n + 1.0).floor()) as f32;
+    let (mut compared, mut equal) = (0, 0);
+    for _ in 0..2_000 {
+        let mut point = |n: f64| Vec3::new(whole(n), whole(n), whole(n));
+        let ray = Ray::new(point(2.0), point(2.0));
+        let spheres = [0; 2].map(|_| Sphere { center: point(2.0), radius: point(3.0).x.abs() });
+        let triangle = Triangle { a: point(2.0), b: point(2.0), c: point(2.0) };
+        if ray.fault().is_some() {
+            continue;
+        }
+        let (line, exact_line) = (Line::new(&ray), crate::rational::Line::new(&ray));
+        let mut places: Vec<(Place, Root)> = Vec::new();
+        for sphere in &spheres {
+            let exact = match Roots::new(&exact_line, sphere) {
+                Roots::None => vec![],
+                Roots::Double(t) => vec![t.clone(), t],
+                Roots::Two(roots) => roots.into(),
+            };
+            let found = roots(&line, sphere).unwrap();
+            assert_eq!(found.len(), exact.len(), "{ray:?} {sphere:?}");
+            places.extend(found.into_iter().zip(exact));
+        }
+        let plane = PlaneHit::new(&line, &triangle).unwrap();
+        let exact = PlanePoint::new(&exact_line, &triangle);
+        assert_eq!(plane.is_some(), exact.is_some());
+        places.extend(plane.into_iter().map(|p| p.t).zip(exact.map(|p| p.t())));
+        for (a, exact_a) in &places {
+            assert_eq!(a.nearest(), Some(exact_a.to_f32()));
+            for (b, exact_b) in &places {
+                assert_eq!(a.order_of(b), Some(exact_a.cmp(exact_b)), "{ray:?} {spheres:?} {triangle:?}");
+                compared += 1;
+                equal += usize::from(exact_a == exact_b);
+            }
+        }
+    }
+    assert!(compared > 10_000 && equal > compared / 4, "{compared}, {equal} equal");
 }

@@ -50,8 +50,11 @@ struct Run<'m> {
 
 impl Run<'_> {
     /// Asks both oracles about these rays.
-    fn agree(&mut self, _scene: &Scene, rays: &[Ray]) {
-        self.oracles.compared += rays.len() as u64;
+    fn agree(&mut self, scene: &Scene, rays: &[Ray]) {
+        let found = rayproof_oracle::compare(scene, rays);
+        self.oracles.compared += found.compared;
+        self.oracles.disagreed += found.disagreed;
+        self.oracles.beyond += found.beyond;
     }
 }
 
