@@ -9,6 +9,7 @@ mod interrupted;
 mod overwrite;
 mod rays;
 mod render;
+mod report;
 mod streams;
 mod usage;
 

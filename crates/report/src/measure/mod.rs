@@ -14,7 +14,7 @@ mod statistics;
 mod subject;
 mod tally;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod timing;
 mod truth;
 mod workloads;

@@ -24,9 +24,24 @@ const TINY: Plan = Plan {
     runs: 2,
 };
 
-fn report(make: &super::Make<'_>) -> Report {
+pub(crate) fn report(make: &super::Make<'_>) -> Report {
     let order = Order { plan: TINY, devices: &[DeviceChoice::Cpu], scenes: Vec::new() };
     measure(&order, make, &mut ()).expect("the CPU engine answers")
+}
+
+/// A report of which only the devices are left.
+pub(crate) fn without_anything(report: &Report) -> Report {
+    Report {
+        panels: Vec::new(),
+        distance: Vec::new(),
+        margins: Vec::new(),
+        families: Vec::new(),
+        leaks: Vec::new(),
+        invariants: Vec::new(),
+        scenes: Vec::new(),
+        peers: Vec::new(),
+        ..report.clone()
+    }
 }
 
 /// A report as JSON without its timings and its date.
