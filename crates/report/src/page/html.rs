@@ -54,6 +54,7 @@ fn plots(out: &mut String, reports: &[Report]) {
 }
 
 fn rest(out: &mut String, report: &Report) {
+    section(out, &sections::against(report));
     folded(out, &sections::points(report));
     out.push_str("<h2>A sphere that moves away</h2>\n");
     let note = "A sphere of radius 1, rays all over its disc. B² − 4AC cancels: at a distance of 1,000 radii the quadratic has lost half its digits, at 10,000 \

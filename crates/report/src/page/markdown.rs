@@ -13,6 +13,7 @@ pub(crate) fn markdown(reports: &[Report]) -> String {
             let _ = write!(out, "\n{text}\n");
         }
         section(&mut out, &sections::summary(report));
+        section(&mut out, &sections::against(report));
         section(&mut out, &sections::points(report));
         section(&mut out, &sections::matrix(report, 0));
         for part in [

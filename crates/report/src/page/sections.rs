@@ -369,6 +369,42 @@ pub(crate) fn peers(report: &Report) -> Section {
     Section::new("Peers", &[text], table)
 }
 
+/// Our fast and exact beside the peers: speed, error and leaks in a row each.
+pub(crate) fn against(report: &Report) -> Section {
+    // Peers take meshes: the scenes on which one was measured.
+    let scenes: Vec<_> = report.scenes.iter().filter(|s| s.rows.iter().any(|r| r.peer)).collect();
+    let leaks: Vec<&Leaks> = report.leaks.iter().collect();
+    let largest = leaks.iter().map(|l| l.triangles).max().unwrap_or(0);
+    let mut head = vec!["who".to_owned()];
+    head.extend(scenes.iter().map(|s| format!("{}, {}: M rays/s", s.scene, s.rays)));
+    head.extend(["worst ULP", "misclassified", "leaks: vertices", "edges"].map(str::to_owned));
+    let mut table = Table::new(1, head);
+    let ours = |who: &str| who.starts_with("fast on") || who.starts_with("exact on");
+    let first = scenes.first().map_or(&[][..], |s| &s.rows[..]);
+    for entry in first.iter().filter(|e| e.peer || ours(&e.who)) {
+        let rows = || scenes.iter().filter_map(|s| s.rows.iter().find(|r| r.who == entry.who));
+        let mut row = vec![entry.who.clone()];
+        row.extend(scenes.iter().map(|s| {
+            let found = s.rows.iter().find(|r| r.who == entry.who);
+            found.map_or("–".to_owned(), |r| number(r.mrays.median))
+        }));
+        let worst = rows().map(|r| r.errors.t.max).fold(0.0, f64::max);
+        let (wrong, of) = rows().fold((0, 0), |(n, of), r| (n + r.errors.wrong.count, of + r.errors.wrong.of));
+        row.extend([number(worst), format!("{} of {}", count(wrong), count(of))]);
+        row.extend(["vertices", "edges"].map(|target| {
+            let of = leaks.iter().find(|l| l.who == entry.who && l.target == target && l.triangles == largest);
+            of.map_or("–".to_owned(), |l| share(&l.leaked))
+        }));
+        table.row(row);
+    }
+    let text = format!(
+        "In the same run, end to end, as their users call them. The errors are the worst over these scenes' samples; the leaks are those of the closed \
+         mesh of {} triangles.",
+        count(largest)
+    );
+    Section::new("Against peers", &[&text], table)
+}
+
 pub(crate) fn arithmetic(report: &Report) -> Section {
     let operations: Vec<String> = report
         .devices
