@@ -5,5 +5,6 @@
 pub mod measure;
 pub mod model;
 pub mod page;
+pub mod peers;
 
 pub use measure::measure;

@@ -1,0 +1,32 @@
+//! Which intersectors written in Rust there are.
+
+use rayproof::scene::Mesh;
+
+use super::Contestant;
+
+/// The intersectors written in Rust, each with its tree of the mesh: obvhs with its wide and its binary tree, parry3d and
+/// bvh.
+#[cfg(feature = "peers")]
+#[must_use]
+pub fn rust_peers(mesh: &Mesh) -> Vec<Contestant> {
+    use ::obvhs::{bvh2::Bvh2, cwbvh::CwBvh};
+
+    use super::threads::threaded;
+    use super::{bvh, obvhs, parry};
+    vec![
+        threaded::<obvhs::Obvhs<CwBvh>>(mesh),
+        threaded::<obvhs::Obvhs<Bvh2>>(mesh),
+        threaded::<parry::Parry>(mesh),
+        threaded::<bvh::Bvh>(mesh),
+    ]
+}
+
+/// That the intersectors written in Rust are not in this build.
+#[cfg(not(feature = "peers"))]
+#[must_use]
+pub fn rust_peers(mesh: &Mesh) -> Vec<Contestant> {
+    use super::Absent;
+    let _ = mesh;
+    let absent = |name| Err(Absent::new(name, "built without the cargo feature `peers`"));
+    ["obvhs CwBvh", "obvhs Bvh2", "parry3d", "bvh"].map(absent).into()
+}
