@@ -213,6 +213,7 @@ pub(crate) struct Devices {
 Examples:
   rayproof report --quick
   rayproof report -o report-gpu --device gpu --scene bunny.ply
+  rayproof report --device gpu --peers
   rayproof report -o both --from report/report.json report-gpu/report.json
 
 DIR gets report.html (one file, with its plots), report.md and report.json (every number). The CPU engine is always measured: it \
@@ -234,8 +235,13 @@ pub(crate) struct Report {
     #[arg(long, value_name = "SCENE")]
     pub(crate) scene: Vec<PathBuf>,
 
+    /// Measure other intersectors too: Embree, from PyPI, in a virtual environment in VENV (about a gigabyte), and, in a build with the
+    /// cargo feature peers, obvhs, parry3d and bvh [default VENV: rayproof/peers in the user's cache]
+    #[arg(long, value_name = "VENV", num_args = 0..=1, require_equals = true, default_missing_value = "")]
+    pub(crate) peers: Option<PathBuf>,
+
     /// Measure nothing: make the pages of these report.json files, side by side; report.json is that of the first
-    #[arg(long, value_name = "JSON", num_args = 1.., conflicts_with_all = ["device", "quick", "scene"])]
+    #[arg(long, value_name = "JSON", num_args = 1.., conflicts_with_all = ["device", "quick", "scene", "peers"])]
     pub(crate) from: Vec<PathBuf>,
 
     /// No progress and no summary on stderr

@@ -60,6 +60,15 @@ impl From<scene::Error> for Failure {
     }
 }
 
+impl From<rayproof_report::measure::Error> for Failure {
+    fn from(error: rayproof_report::measure::Error) -> Self {
+        match error {
+            rayproof_report::measure::Error::Engine(error) => error.into(),
+            rayproof_report::measure::Error::Peer(why) => Self::new(Code::Running, why),
+        }
+    }
+}
+
 impl From<rayproof::Error> for Failure {
     fn from(error: rayproof::Error) -> Self {
         let code = match &error {

@@ -2,14 +2,15 @@
 
 use std::fs;
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayproof::{Device, DeviceChoice};
-use rayproof_report::measure::{Named, Order, Plan, Progress, engines};
+use rayproof_report::measure::{self, Named, Order, Peers, Plan, Progress, engines};
 use rayproof_report::model;
-use rayproof_report::{measure, page};
+use rayproof_report::page;
+use rayproof_report::peers::make_venv;
 
 use crate::args::Report;
 use crate::exit::{Code, Failure, say};
@@ -64,8 +65,9 @@ fn measured(args: &Report) -> Result<model::Report, Failure> {
     }
     let devices = devices(args)?;
     let plan = if args.quick { Plan::QUICK } else { Plan::FULL };
-    let order = Order { plan, devices: &devices, scenes };
-    Ok(measure(&order, &engines, &mut Bar::new(args.quiet))?)
+    let peers = args.peers.as_deref().map(|folder| peers(folder, args.quiet));
+    let order = Order { plan, devices: &devices, scenes, peers };
+    Ok(measure::measure(&order, &engines, &mut Bar::new(args.quiet))?)
 }
 
 /// The CPU engine, and what was asked for beside it; without a word a hardware GPU, if there is one.
@@ -78,6 +80,31 @@ fn devices(args: &Report) -> Result<Vec<DeviceChoice>, Failure> {
         }
     }
     Ok(devices)
+}
+
+/// The peers' virtual environment in a folder, or in the user's cache where that is empty. Without one the report goes on, and says why.
+fn peers(folder: &Path, quiet: bool) -> Peers {
+    let python = if folder.as_os_str().is_empty() { cache() } else { Ok(folder.to_owned()) };
+    let tell = |line: &str| {
+        if !quiet {
+            say(format_args!("peers   {line}"));
+        }
+    };
+    let python = python.and_then(|folder| make_venv(&folder, &mut { tell }));
+    if let Err(why) = &python {
+        tell(&format!("Embree is not measured: {why}"));
+    }
+    Peers { python }
+}
+
+/// Where this user's caches are.
+fn cache() -> Result<PathBuf, String> {
+    let from = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    let home = || from("HOME").map(|home| home.join(".cache"));
+    let folder = from("XDG_CACHE_HOME").or_else(home).or_else(|| from("LOCALAPPDATA"));
+    folder
+        .map(|folder| folder.join("rayproof/peers"))
+        .ok_or_else(|| "there is no cache folder: give --peers=VENV".to_owned())
 }
 
 /// A bar for each stage, on stderr where that is a terminal.

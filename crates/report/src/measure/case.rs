@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use rayproof::Error;
 use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, number};
 
+use super::Error;
 use super::subject::{Bench, Subject, Walk};
 use super::tally::{Place, Tally};
 use super::truth::Truth;

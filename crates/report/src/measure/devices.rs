@@ -1,13 +1,13 @@
 //! What ran: its arithmetic, and what exact rules cost there.
 
-use rayproof::{Device, DeviceChoice, Error, Fingerprint, Precision, Route};
+use rayproof::{Device, DeviceChoice, Fingerprint, Precision, Route};
 
-use super::Run;
 use super::plan::Progress;
 use super::statistics::timing;
 use super::subject::{Answers, Walk, engines};
-use super::timing::interleaved;
+use super::timing::times_of;
 use super::workloads;
+use super::{Error, Run};
 use crate::model::{self, Arithmetic, Rule};
 use rayproof::scene::{Hit, Ray, Scene};
 
@@ -79,14 +79,14 @@ fn rules(
     workload: &str,
 ) -> Result<Vec<Rule>, Error> {
     let ready = routes.iter().map(|(_, device)| engines(device, scene, Precision::Fast, Walk::Every));
-    let ready = ready.collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
+    let mut ready = ready.collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
     let mut answers = Vec::new();
     for contestant in &ready {
         let mut hits = vec![Hit::MISS; rays.len()];
         contestant.closest(rays, &mut hits)?;
         answers.push(hits);
     }
-    let times = interleaved(&ready, rays, run.plan.runs)?;
+    let times = times_of(&mut ready, rays, run.plan.runs)?;
     let seconds = |i: usize| if times[i].kernel.is_empty() { &times[i].wall } else { &times[i].kernel };
     let base = routes.iter().position(|(route, _)| *route == Route::ExactSpirv).unwrap_or(0);
     let rule = |(i, (route, _)): (usize, &(Route, Device))| Rule {

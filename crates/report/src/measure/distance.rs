@@ -1,14 +1,13 @@
 //! The error of `t` and the share of wrong verdicts against the distance of a unit sphere.
 
 use glam::Vec3;
-use rayproof::Error;
 use rayproof::scene::{Geometry, Ray, Scene, Sphere};
 use rayproof_oracle::families::Draw;
 
-use super::Run;
 use super::case::Asked;
 use super::plan::Progress;
 use super::tally::Tally;
+use super::{Error, Run};
 use crate::model::{DistanceCurve, DistancePoint};
 
 /// Distances a decade, and decades.

@@ -1,13 +1,13 @@
 //! The 42 families, each method on each device.
 
+use rayproof::Precision;
 use rayproof::scene::{Hit, Undecided};
-use rayproof::{Error, Precision};
 use rayproof_oracle::families;
 
 use super::case::{Asked, errors};
 use super::subject::{Subject, Walk};
 use super::tally::Tally;
-use super::{Run, plan::Progress};
+use super::{Error, Run, plan::Progress};
 use crate::model::{Decided, Family, FamilyRow};
 
 pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<Vec<Family>, Error> {

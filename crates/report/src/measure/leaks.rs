@@ -1,16 +1,20 @@
 //! Rays from inside closed meshes, aimed exactly at vertices and edges.
 
 use glam::DVec3;
-use rayproof::Error;
 use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
+use rayproof::{Device, DeviceChoice, Intersector, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{Draw, meshes};
 
-use super::Run;
 use super::plan::Progress;
 use super::statistics::rate;
-use super::subject::Walk;
+use super::subject::{Subject, Walk};
+use super::{Error, Run};
 use crate::model::Leaks;
+use crate::peers::Adaptor;
+
+/// Triangles up to which the oracle counts.
+const BRUTE_FORCE: usize = 10_000;
 
 /// What rays are aimed at.
 const TARGETS: [&str; 2] = ["vertices", "edges"];
@@ -21,24 +25,24 @@ fn closed() -> [(&'static str, Mesh); 3] {
 }
 
 pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<Vec<Leaks>, Error> {
-    let closed = closed();
+    let mut closed: Vec<(&str, Mesh)> = closed().into();
+    if run.rivals.is_asked() {
+        closed.push(("fine sphere", meshes::uv_sphere(518, 259)));
+    }
     progress.stage("leaks", closed.len() * TARGETS.len());
     let mut rows = Vec::new();
     for (number, (name, mesh)) in closed.into_iter().enumerate() {
-        let triangles = mesh.triangles.len() as u64;
+        let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]);
+        let mut peers = run.rivals.mesh(&scene).map(|mesh| run.rivals.on(mesh)).unwrap_or_default();
         for target in TARGETS {
             let rays = aimed(&mesh, target, run.plan.leak, &mut Draw::new(run.plan.seed, 103, number as u64));
-            let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]);
-            run.agree(&scene, &rays);
-            let crossings = Oracle::new(&scene).batch(&rays, Oracle::count);
-            for &subject in &run.bench.subjects {
-                let ready = run.bench.ready(subject, &scene, Walk::Tree)?;
-                let mut hits = vec![Hit::MISS; rays.len()];
-                ready.closest(&rays, &mut hits)?;
-                let mut counts = vec![0; rays.len()];
-                let counted = ready.crossings(&rays, &mut counts).transpose()?.is_some();
-                let who = run.bench.name(subject);
-                rows.push(leaks((name, triangles, target, who), &hits, counted.then_some((&counts, &crossings))));
+            let place = (name, mesh.triangles.len() as u64, target);
+            let crossings = crossings(run, &scene, &rays)?;
+            for subject in run.bench.subjects_on(false) {
+                rows.push(ours(run, subject, &scene, &rays, &crossings, place)?);
+            }
+            for peer in &mut peers {
+                rows.extend(theirs(run, peer.as_mut(), &rays, &crossings, place));
             }
             progress.step();
         }
@@ -46,12 +50,57 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     Ok(rows)
 }
 
+/// How often each ray crosses: by the oracle; on a fine mesh, where brute force takes hours, by the tier exact.
+fn crossings(run: &mut Run<'_>, scene: &Scene, rays: &[Ray]) -> Result<Vec<u32>, Error> {
+    if scene.len() <= BRUTE_FORCE {
+        run.agree(scene, rays);
+        return Ok(Oracle::new(scene).batch(rays, Oracle::count));
+    }
+    let mut counts = vec![0; rays.len()];
+    Intersector::on(&Device::open(&DeviceChoice::Cpu)?, scene, Precision::Exact)?.count(rays, &mut counts)?;
+    Ok(counts)
+}
+
+/// A mesh's name, its triangles, and what is aimed at.
+type Place<'p> = (&'p str, u64, &'p str);
+
+fn ours(
+    run: &Run<'_>,
+    subject: Subject,
+    scene: &Scene,
+    rays: &[Ray],
+    crossings: &[u32],
+    place: Place<'_>,
+) -> Result<Leaks, Error> {
+    let ready = run.bench.ready(subject, scene, Walk::Tree)?;
+    let mut hits = vec![Hit::MISS; rays.len()];
+    ready.closest(rays, &mut hits)?;
+    let mut counts = vec![0; rays.len()];
+    let counted = ready.crossings(rays, &mut counts).transpose()?.is_some();
+    Ok(leaks(place, run.bench.name(subject), &hits, counted.then_some((&counts, crossings))))
+}
+
+fn theirs(
+    run: &mut Run<'_>,
+    peer: &mut dyn Adaptor,
+    rays: &[Ray],
+    crossings: &[u32],
+    place: Place<'_>,
+) -> Option<Leaks> {
+    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut counts = vec![0; rays.len()];
+    let asked = peer.closest(rays, &mut hits).and_then(|_| peer.count(rays, &mut counts).transpose());
+    match asked {
+        Ok(counted) => Some(leaks(place, peer.name().to_owned(), &hits, counted.map(|_| (&counts[..], crossings)))),
+        Err(why) => {
+            run.rivals.absent(peer.name(), &why);
+            None
+        }
+    }
+}
+
 /// A row: leaks by the closest hits, and what is wrong with the counts, where there are any, against the exact ones.
-pub(crate) fn leaks(
-    (mesh, triangles, target, who): (&str, u64, &str, String),
-    hits: &[Hit],
-    counts: Option<(&Vec<u32>, &Vec<u32>)>,
-) -> Leaks {
+fn leaks((mesh, triangles, target): Place<'_>, who: String, hits: &[Hit], counts: Option<(&[u32], &[u32])>) -> Leaks {
     let rays = hits.len() as u64;
     let share = |count: usize| rate(count as u64, rays);
     Leaks {
@@ -67,7 +116,7 @@ pub(crate) fn leaks(
 }
 
 /// Rays from near the middle at vertices, or at points of edges; the closest `f32` to them.
-pub(crate) fn aimed(mesh: &Mesh, target: &str, count: usize, draw: &mut Draw) -> Vec<Ray> {
+fn aimed(mesh: &Mesh, target: &str, count: usize, draw: &mut Draw) -> Vec<Ray> {
     let ray = |draw: &mut Draw| {
         let corners = mesh.triangles[draw.below(mesh.triangles.len())];
         let k = draw.below(3);

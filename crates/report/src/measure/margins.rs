@@ -4,16 +4,15 @@
 //! verdicts stop at a margin of `m` answers rightly for some input within `m` roundings of the given one.
 
 use glam::{DVec3, Vec3};
-use rayproof::Error;
 use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene, Sphere};
 use rayproof_oracle::families::Draw;
 
-use super::Run;
 use super::case::Asked;
 use super::plan::Progress;
 use super::statistics::rate;
 use super::subject::Subject;
 use super::truth::corners;
+use super::{Error, Run};
 use crate::model::{MarginCurve, MarginPoint};
 
 /// The eye's distance from a primitive of size 1; it is the largest coordinate, within a rounding.
@@ -30,7 +29,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
         let Margins { scene, rays, margins } = make(&mut Draw::new(run.plan.seed, 102, 0), run.plan.margin);
         run.agree(&scene, &rays);
         let asked = Asked::new(scene, rays);
-        for &subject in &run.bench.subjects {
+        for subject in run.bench.subjects_on(primitive == "sphere") {
             let hits = run.bench.closest(subject, &asked.scene, &asked.rays)?;
             curves.push(curve(primitive, subject, &asked, &hits, &margins));
         }

@@ -9,6 +9,7 @@ mod leaks;
 mod margins;
 mod panels;
 mod plan;
+mod rivals;
 mod scenes;
 mod statistics;
 mod subject;
@@ -22,14 +23,27 @@ mod workloads;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use rayproof::scene::{Ray, Scene};
-use rayproof::{Device, DeviceChoice, Error};
+use rayproof::{Device, DeviceChoice};
 
 pub use plan::{Plan, Progress};
+pub use rivals::Peers;
 pub use scenes::Named;
 pub use subject::{Answers, Make, Walk, engines};
 
 use crate::model::{Oracles, Report, SCHEMA};
+use rivals::Rivals;
 use subject::Bench;
+
+/// Why there is no report.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A device is not there, cannot hold a scene, or fails.
+    #[error(transparent)]
+    Engine(#[from] rayproof::Error),
+    /// A peer failed: it is left out, and the report says why.
+    #[error("{0}")]
+    Peer(String),
+}
 
 /// What is to be measured.
 pub struct Order<'o> {
@@ -39,6 +53,8 @@ pub struct Order<'o> {
     pub devices: &'o [DeviceChoice],
     /// Scenes beside the made ones.
     pub scenes: Vec<Named>,
+    /// Other people's intersectors, where they are asked for.
+    pub peers: Option<Peers>,
 }
 
 /// A report in the making.
@@ -46,6 +62,7 @@ struct Run<'m> {
     plan: Plan,
     bench: Bench<'m>,
     oracles: Oracles,
+    rivals: Rivals,
 }
 
 impl Run<'_> {
@@ -64,7 +81,12 @@ impl Run<'_> {
 /// When a device is not there, cannot hold a scene, or fails.
 pub fn measure(order: &Order<'_>, make: &Make<'_>, progress: &mut dyn Progress) -> Result<Report, Error> {
     let devices = order.devices.iter().map(Device::open).collect::<Result<Vec<_>, _>>()?;
-    let mut run = Run { plan: order.plan, bench: Bench::new(devices, make), oracles: Oracles::default() };
+    let mut run = Run {
+        plan: order.plan,
+        bench: Bench::new(devices, make),
+        oracles: Oracles::default(),
+        rivals: Rivals::new(order.peers.clone()),
+    };
     let described = order.devices.iter().zip(&run.bench.devices);
     let devices = described.map(|(choice, device)| devices::describe(&run, choice, device, progress));
     let devices = devices.collect::<Result<Vec<_>, _>>()?;
@@ -94,7 +116,7 @@ pub fn measure(order: &Order<'_>, make: &Make<'_>, progress: &mut dyn Progress) 
         leaks,
         invariants,
         scenes,
-        peers: Vec::new(),
+        peers: run.rivals.known,
     })
 }
 

@@ -1,15 +1,14 @@
 //! Speed against error on the workloads.
 
-use rayproof::Error;
 use rayproof::scene::{Hit, Ray, Scene};
 
-use super::Run;
 use super::case::{Asked, errors};
 use super::plan::Progress;
 use super::subject::{Answers, Subject, Walk};
 use super::tally::Tally;
-use super::timing::{Times, interleaved};
+use super::timing::{Times, times_of};
 use super::workloads::{self, PRIMITIVES, Workload};
+use super::{Error, Run};
 use crate::model::{Panel, Point};
 
 pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<Vec<Panel>, Error> {
@@ -25,9 +24,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
 fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel, Error> {
     let (scene, rays) = workload.make(run.plan.seed, number, run.plan.panel);
     run.agree(&scene, &rays);
-    // On triangles the schoolbook method is the classic one.
-    let mut subjects = run.bench.subjects.clone();
-    subjects.retain(|s| workload.primitive == "sphere" || s.method != rayproof::Precision::Textbook);
+    let subjects = run.bench.subjects_on(workload.primitive == "sphere");
     let every = times(run, &subjects, &scene, &rays, Walk::Every)?;
     let tree = times(run, &subjects, &scene, &rays, Walk::Tree)?;
     let asked = [Asked::new(scene, rays)];
@@ -51,7 +48,7 @@ fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel,
 }
 
 fn times(run: &Run<'_>, subjects: &[Subject], scene: &Scene, rays: &[Ray], walk: Walk) -> Result<Vec<Times>, Error> {
-    let ready =
+    let mut ready =
         subjects.iter().map(|&s| run.bench.ready(s, scene, walk)).collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
-    interleaved(&ready, rays, run.plan.runs)
+    times_of(&mut ready, rays, run.plan.runs)
 }

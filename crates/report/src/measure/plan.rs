@@ -34,14 +34,14 @@ impl Plan {
     pub const QUICK: Self = Self {
         mode: "quick",
         seed: 20_261_125,
-        family: 130,
-        panel: 4096,
+        family: 260,
+        panel: 8192,
         distance: 256,
         margin: 8192,
         leak: 1000,
         invariant: 512,
         scene: 1 << 14,
-        sample: 128,
+        sample: 256,
         primitives: 20_000,
         runs: 20,
     };
@@ -49,14 +49,14 @@ impl Plan {
     /// About half an hour on two cores.
     pub const FULL: Self = Self {
         mode: "full",
-        family: 4_000,
+        family: 2_500,
         panel: 1 << 15,
         distance: 4096,
         margin: 1 << 17,
-        leak: 40_000,
-        invariant: 8192,
-        scene: 1 << 18,
-        sample: 2048,
+        leak: 20_000,
+        invariant: 4096,
+        scene: 1 << 17,
+        sample: 1024,
         primitives: 70_000,
         runs: 40,
         ..Self::QUICK

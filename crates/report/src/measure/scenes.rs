@@ -2,17 +2,17 @@
 
 use glam::{DVec3, Vec3};
 use rayproof::scene::{Camera, Geometry, Hit, Primitive, Ray, Scene, Sphere};
-use rayproof::{Device, DeviceChoice, Error, Intersector, Precision};
+use rayproof::{Device, DeviceChoice, Intersector, Precision};
 use rayproof_oracle::families::{Draw, meshes};
 
-use super::Run;
 use super::case::{Asked, errors};
 use super::plan::Progress;
 use super::statistics::timing;
-use super::subject::{Subject, Walk};
+use super::subject::{Answers, Subject, Walk};
 use super::tally::Tally;
-use super::timing::interleaved;
-use crate::model::{SceneEntry, SceneRow};
+use super::timing::{Timed, Times, interleaved};
+use super::{Error, Run};
+use crate::model::{Errors, SceneEntry, SceneRow, Timing};
 
 /// The kinds of rays.
 const KINDS: [&str; 3] = ["primary", "incoherent", "diffuse"];
@@ -71,32 +71,55 @@ pub(crate) fn measure(
 fn builds(run: &Run<'_>, scene: &Scene) -> Result<Vec<Vec<f64>>, Error> {
     let once = |subject: Subject| Ok(run.bench.ready(subject, scene, Walk::Tree)?.build_seconds());
     let several = |&subject: &Subject| (0..BUILDS).map(|_| once(subject)).collect();
-    run.bench.subjects.iter().map(several).collect()
+    run.bench.subjects_on(scene.sphere_count() > 0).iter().map(several).collect()
 }
 
 fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) -> Result<Vec<SceneEntry>, Error> {
-    let subjects = run.bench.subjects.clone();
-    let ready = subjects.iter().map(|&s| run.bench.ready(s, scene, Walk::Tree)).collect::<Result<Vec<_>, _>>()?;
-    let times = interleaved(&ready, rays, run.plan.runs)?;
+    let subjects = run.bench.subjects_on(scene.sphere_count() > 0);
+    let mut ready = subjects
+        .iter()
+        .map(|&s| run.bench.ready(s, scene, Walk::Tree))
+        .collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
+    let mut peers = run.rivals.mesh(scene).map(|mesh| run.rivals.on(mesh)).unwrap_or_default();
+    let ours = ready.iter_mut().map(|r| r as &mut dyn Timed);
+    let mut contestants: Vec<&mut dyn Timed> = ours.chain(peers.iter_mut().map(|p| p as &mut dyn Timed)).collect();
+    let mut times = interleaved(&mut contestants, rays, run.plan.runs).into_iter();
     drop(ready);
     let asked = [Asked::new(scene.clone(), sample(rays, run.plan.sample, &mut Draw::new(run.plan.seed, 106, 0)))];
     run.agree(scene, &asked[0].rays);
     let mut entries = Vec::new();
-    for ((&subject, times), builds) in subjects.iter().zip(&times).zip(builds) {
+    for ((&subject, times), builds) in subjects.iter().zip(times.by_ref()).zip(builds) {
         let hits: Vec<Hit> = run.bench.closest(subject, scene, &asked[0].rays)?;
-        let mut tally = Tally::default();
-        tally.add(0, scene, &asked[0].rays, &asked[0].truth, &hits);
-        let rate = |seconds: f64| rays.len() as f64 / seconds / 1e6;
-        entries.push(SceneEntry {
-            who: run.bench.name(subject),
-            peer: false,
-            build: timing(builds.clone()),
-            mrays: times.wall_as(rate),
-            kernel_mrays: times.kernel_as(rate),
-            errors: errors(&run.bench, subject, &asked, tally)?,
+        let errors = errors(&run.bench, subject, &asked, tally(&asked[0], &hits))?;
+        entries.push(entry(run.bench.name(subject), false, timing(builds.clone()), &times?, rays.len(), errors));
+    }
+    for (mut peer, times) in peers.into_iter().zip(times) {
+        let mut hits = vec![Hit::MISS; asked[0].rays.len()];
+        let judged = times.and_then(|times| {
+            peer.closest(&asked[0].rays, &mut hits).map_err(Error::Peer)?;
+            Ok(times)
         });
+        match judged {
+            Ok(times) => {
+                let errors = tally(&asked[0], &hits).errors();
+                let build = timing(vec![peer.build_seconds()]);
+                entries.push(entry(peer.name().to_owned(), true, build, &times, rays.len(), errors));
+            }
+            Err(e) => run.rivals.absent(peer.name(), &e.to_string()),
+        }
     }
     Ok(entries)
+}
+
+fn tally(asked: &Asked, hits: &[Hit]) -> Tally {
+    let mut tally = Tally::default();
+    tally.add(0, &asked.scene, &asked.rays, &asked.truth, hits);
+    tally
+}
+
+fn entry(who: String, peer: bool, build: Timing, times: &Times, rays: usize, errors: Errors) -> SceneEntry {
+    let rate = |seconds: f64| rays as f64 / seconds / 1e6;
+    SceneEntry { who, peer, build, mrays: times.wall_as(rate), kernel_mrays: times.kernel_as(rate), errors }
 }
 
 /// So many of the rays, drawn at random: an even stride might follow a column of the picture.

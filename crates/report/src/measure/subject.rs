@@ -98,6 +98,11 @@ impl<'m> Bench<'m> {
         Self { devices, subjects, make }
     }
 
+    /// The subjects that tell something of scenes with or without spheres: on triangles the schoolbook method is the classic one.
+    pub(crate) fn subjects_on(&self, spheres: bool) -> Vec<Subject> {
+        self.subjects.iter().copied().filter(|s| spheres || s.method != Precision::Textbook).collect()
+    }
+
     /// A scene ready for a subject.
     pub(crate) fn ready(&self, subject: Subject, scene: &Scene, walk: Walk) -> Result<Box<dyn Answers>, Error> {
         (self.make)(&self.devices[subject.device], scene, subject.method, walk)

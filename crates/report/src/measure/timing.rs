@@ -2,12 +2,13 @@
 
 use std::time::Instant;
 
-use rayproof::Error;
 use rayproof::scene::{Hit, Ray};
 
+use super::Error;
 use super::statistics::timing;
 use super::subject::Answers;
 use crate::model::Timing;
+use crate::peers::Adaptor;
 
 /// The times of one contestant, in seconds, a run each.
 #[derive(Default)]
@@ -29,24 +30,58 @@ impl Times {
     }
 }
 
-/// Runs each contestant once to warm up (kernels compile, caches fill), then `runs` times in turn.
-pub(crate) fn interleaved(contestants: &[Box<dyn Answers>], rays: &[Ray], runs: u32) -> Result<Vec<Times>, Error> {
-    let mut times: Vec<Times> = contestants.iter().map(|_| Times::default()).collect();
+/// One run.
+pub(crate) struct Taken {
+    wall: f64,
+    kernel: Option<f64>,
+}
+
+/// What can be timed: one of our methods, or a peer.
+pub(crate) trait Timed {
+    /// Answers the rays.
+    fn take(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<Taken, Error>;
+}
+
+impl Timed for Box<dyn Answers> {
+    fn take(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<Taken, Error> {
+        let before = self.kernel_seconds();
+        let start = Instant::now();
+        self.closest(rays, hits)?;
+        let wall = start.elapsed().as_secs_f64();
+        let kernel = before.zip(self.kernel_seconds()).map(|(before, after)| after - before);
+        Ok(Taken { wall, kernel })
+    }
+}
+
+impl Timed for Box<dyn Adaptor> {
+    fn take(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<Taken, Error> {
+        let wall = (**self).closest(rays, hits).map_err(Error::Peer)?;
+        Ok(Taken { wall, kernel: None })
+    }
+}
+
+/// Runs each contestant once to warm up (kernels compile, caches fill), then `runs` times in turn. One that fails is out.
+pub(crate) fn interleaved(contestants: &mut [&mut dyn Timed], rays: &[Ray], runs: u32) -> Vec<Result<Times, Error>> {
+    let mut times: Vec<Result<Times, Error>> = contestants.iter().map(|_| Ok(Times::default())).collect();
     let mut hits = vec![Hit::MISS; rays.len()];
     for run in 0..=runs {
-        for (contestant, times) in contestants.iter().zip(&mut times) {
-            let before = contestant.kernel_seconds();
-            let start = Instant::now();
-            contestant.closest(rays, &mut hits)?;
-            let wall = start.elapsed().as_secs_f64();
-            if run == 0 {
-                continue;
-            }
-            times.wall.push(wall);
-            if let (Some(before), Some(after)) = (before, contestant.kernel_seconds()) {
-                times.kernel.push(after - before);
+        for (contestant, slot) in contestants.iter_mut().zip(&mut times) {
+            let Ok(times) = slot else { continue };
+            match contestant.take(rays, &mut hits) {
+                Ok(taken) if run > 0 => {
+                    times.wall.push(taken.wall);
+                    times.kernel.extend(taken.kernel);
+                }
+                Ok(_) => {}
+                Err(e) => *slot = Err(e),
             }
         }
     }
-    Ok(times)
+    times
+}
+
+/// The times of our methods, none of which may fail.
+pub(crate) fn times_of(ready: &mut [Box<dyn Answers>], rays: &[Ray], runs: u32) -> Result<Vec<Times>, Error> {
+    let mut contestants: Vec<&mut dyn Timed> = ready.iter_mut().map(|r| r as &mut dyn Timed).collect();
+    interleaved(&mut contestants, rays, runs).into_iter().collect()
 }

@@ -398,7 +398,7 @@ pub(crate) fn against(report: &Report) -> Section {
         table.row(row);
     }
     let text = format!(
-        "In the same run, end to end, as their users call them. The errors are the worst over these scenes' samples; the leaks are those of the closed \
+        "In the same run, end to end, as their users call them; how, and on how many threads, stands under Peers. The errors are the worst over these scenes' samples; the leaks are those of the closed \
          mesh of {} triangles.",
         count(largest)
     );

@@ -19,7 +19,7 @@ mod threads;
 mod venv;
 
 pub use python::{absent_python_peers, python_peers};
-pub use rust::rust_peers;
+pub use rust::{absent_rust_peers, rust_peers};
 pub use venv::make_venv;
 
 use rayproof::scene::{Hit, Ray};

@@ -2,7 +2,7 @@
 
 use rayproof::scene::Mesh;
 
-use super::Contestant;
+use super::{Absent, Contestant};
 
 /// The intersectors written in Rust, each with its tree of the mesh: obvhs with its wide and its binary tree, parry3d and
 /// bvh.
@@ -25,8 +25,12 @@ pub fn rust_peers(mesh: &Mesh) -> Vec<Contestant> {
 #[cfg(not(feature = "peers"))]
 #[must_use]
 pub fn rust_peers(mesh: &Mesh) -> Vec<Contestant> {
-    use super::Absent;
     let _ = mesh;
-    let absent = |name| Err(Absent::new(name, "built without the cargo feature `peers`"));
-    ["obvhs CwBvh", "obvhs Bvh2", "parry3d", "bvh"].map(absent).into()
+    absent_rust_peers("built without the cargo feature `peers`")
+}
+
+/// The same peers where they are not measured, because of `why`.
+#[must_use]
+pub fn absent_rust_peers(why: &str) -> Vec<Contestant> {
+    ["obvhs CwBvh", "obvhs Bvh2", "parry3d", "bvh"].map(|name| Err(Absent::new(name, why))).into()
 }
