@@ -99,7 +99,17 @@ impl Child {
         let line = match self.lines.recv_timeout(PATIENCE) {
             Ok(line) => line,
             Err(RecvTimeoutError::Timeout) => return Err(self.dead(&format!("no answer in {} s", PATIENCE.as_secs()))),
-            Err(RecvTimeoutError::Disconnected) => return Err(self.dead("it ended")),
+            Err(RecvTimeoutError::Disconnected) => {
+                // It may close its stdout a little before it ends: a kill then would hide how it ended.
+                let ended = |process: &mut Process| process.try_wait().is_ok_and(|status| status.is_some());
+                for _ in 0..100 {
+                    if ended(&mut self.process) {
+                        break;
+                    }
+                    thread::sleep(Duration::from_millis(10));
+                }
+                return Err(self.dead("it ended"));
+            }
         };
         let line: Line = serde_json::from_str(&line).map_err(|error| format!("it said {line:?}: {error}"))?;
         if let Some(error) = line.error { Err(error) } else { Ok(line) }
@@ -107,7 +117,6 @@ impl Child {
 
     /// Ends the child and says how and with what last words.
     fn dead(&mut self, why: &str) -> String {
-        // One that has closed its stdout has ended or is about to; the kill is for one that is not.
         let _ = self.process.kill();
         let status = self.process.wait().map_or_else(|error| error.to_string(), |status| status.to_string());
         let said = fs::read(self.path("stderr")).unwrap_or_default();

@@ -32,7 +32,7 @@ pub trait Adaptor: Send {
     /// The version that answers.
     fn version(&self) -> &str;
 
-    /// How it is called: what of its interface, with which flags and on how many threads, and what is done to its answers.
+    /// How it is called: what of its interface, with which flags, on how many threads, and what is done to its answers.
     fn how(&self) -> &str;
 
     /// Seconds from the mesh in memory to being ready for rays.
@@ -46,7 +46,8 @@ pub trait Adaptor: Send {
     /// peer failed. `hits` then holds nothing of use.
     fn closest(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<f64, String>;
 
-    /// How often each ray crosses the mesh, as [`closest`](Self::closest) answers; `None` where the peer has no such query.
+    /// How often each ray crosses the mesh, as [`closest`](Self::closest) answers; `None` where the peer has no such
+    /// query.
     fn count(&mut self, rays: &[Ray], counts: &mut [u32]) -> Option<Result<f64, String>> {
         let _ = (rays, counts);
         None

@@ -97,7 +97,7 @@ impl<T: Tree> Crate for Obvhs<T> {
     }
 
     fn weigh(&self, ray: &Ray, hit: &mut Hit) {
-        // Not Triangle::compute_barycentric, which divides by the unit normal: its weights are too large by twice the area.
+        // Not Triangle::compute_barycentric: it divides by the unit normal, so its weights are off by twice the area.
         let weights = self.triangles[hit.primitive as usize].compute_barycentric(&peer_ray(ray));
         (hit.u, hit.v) = (weights.x, weights.y);
     }

@@ -46,7 +46,7 @@ const KINDS: [Kind; 3] = [
     },
 ];
 
-/// Embree by Open3D and by embreex, each in a child process of the virtual environment's Python, with its tree of the mesh.
+/// Embree by Open3D and by embreex, each with its tree of the mesh in a child process of the environment's Python.
 #[must_use]
 pub fn python_peers(mesh: &Mesh, venv: &Path) -> Vec<Contestant> {
     KINDS.iter().map(|kind| Embree::start(kind, mesh, venv)).collect()

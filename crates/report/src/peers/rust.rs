@@ -4,8 +4,8 @@ use rayproof::scene::Mesh;
 
 use super::{Absent, Contestant};
 
-/// The intersectors written in Rust, each with its tree of the mesh: obvhs with its wide and its binary tree, parry3d and
-/// bvh.
+/// The intersectors written in Rust, each with its tree of the mesh: obvhs with its wide and its binary tree, parry3d
+/// and bvh.
 #[cfg(feature = "peers")]
 #[must_use]
 pub fn rust_peers(mesh: &Mesh) -> Vec<Contestant> {

@@ -1,10 +1,8 @@
 #![expect(clippy::unwrap_used, reason = "a test")]
 
-use std::path::Path;
-
-use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::meshes::cube;
+use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
 
 use super::{Adaptor, Contestant, absent_python_peers, make_venv, python_peers, rust_peers};
 
@@ -87,8 +85,6 @@ fn without_a_virtual_environment_each_peer_says_why() {
     let absent: Vec<_> = absent_python_peers("no python3").into_iter().map(|peer| peer.err().unwrap()).collect();
     assert_eq!(absent.len(), 3);
     assert!(absent.iter().all(|absent| absent.why == "no python3"));
-    let peers = python_peers(&cube(1), Path::new("/nowhere"));
-    assert!(peers.into_iter().all(|peer| peer.err().unwrap().why.contains("/nowhere")));
 }
 
 #[cfg(unix)]
@@ -96,6 +92,7 @@ mod fake {
     //! Children that are not Python.
     use std::fs;
     use std::os::unix::fs::PermissionsExt;
+    use std::path::Path;
 
     use super::*;
 
@@ -113,13 +110,17 @@ mod fake {
         peer.map_or_else(|absent| absent.why, |mut peer| peer.closest(&rays(), &mut hits).unwrap_err())
     }
 
+    // One test: a program that is written while another test starts a child is busy.
     #[test]
     fn whatever_a_child_does_is_a_reason() {
+        let nowhere = python_peers(&cube(1), Path::new("/nowhere"));
+        assert!(nowhere.into_iter().all(|peer| why(peer).contains("/nowhere")));
         let ready = r#"echo '{"seconds": 1, "version": "1"}'; read request"#;
         for (script, words) in [
             ("echo no such module >&2; exit 3", vec!["exit status: 3", "no such module"]),
             ("echo hello", vec!["hello"]),
             ("kill -11 $$", vec!["signal: 11"]),
+            ("exec >&-; exec sleep 60", vec!["signal: 9"]),
             (r#"echo '{"error": "ImportError: libGL"}'"#, vec!["ImportError: libGL"]),
             (&format!("{ready}; echo gone >&2; exit 1"), vec!["exit status: 1", "gone"]),
             (&format!(r#"{ready}; echo '{{"seconds": 1}}'"#), vec!["no answers"]),

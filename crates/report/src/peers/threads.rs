@@ -91,7 +91,8 @@ impl<T: Crate> Adaptor for Threaded<T> {
     }
 }
 
-/// What `ask` returns, or the message of its panic. A peer is only read while it traces, and what it half wrote is not used.
+/// What `ask` returns, or the message of its panic. A peer is only read while it traces, and what it half wrote is not
+/// used.
 fn caught<R>(ask: impl FnOnce() -> R) -> Result<R, String> {
     catch_unwind(AssertUnwindSafe(ask)).map_err(|panic| format!("it panicked: {}", message(panic.as_ref())))
 }

@@ -22,11 +22,12 @@ pub(super) fn python_of(venv: &Path) -> PathBuf {
     venv.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" })
 }
 
-/// Makes a virtual environment in `folder` with the Python packages that hold Embree, at pinned versions, and returns its
-/// path; where there is one with these packages, that one. `progress` is told what is being done, a line at a time.
+/// Makes a virtual environment in `folder` with the Python packages that hold Embree, at pinned versions, and returns
+/// its path; where there is one with these packages, that one. `progress` is told what is being done, a line at a time.
 ///
 /// # Errors
-/// What failed, in words: no Python of a fitting version, no module `venv`, or what pip said, such as that there is no network.
+/// What failed, in words: no Python of a fitting version, no module `venv`, or what pip said, such as that there is no
+/// network.
 pub fn make_venv(folder: &Path, progress: &mut dyn FnMut(&str)) -> Result<PathBuf, String> {
     if complete(folder) {
         progress(&format!("found {} in {}", PACKAGES.join(", "), folder.display()));
@@ -40,7 +41,8 @@ pub fn make_venv(folder: &Path, progress: &mut dyn FnMut(&str)) -> Result<PathBu
         let mut command = Command::new(interpreter);
         command.args(["-m", "venv"]).arg(folder);
         run(&mut command, progress).map_err(|why| {
-            format!("{interpreter} -m venv failed (on Debian and Ubuntu it needs the package python3-venv): {why}")
+            let debian = if why.contains("ensurepip") { ": install the package python3-venv" } else { "" };
+            format!("{interpreter} -m venv failed{debian}: {why}")
         })?;
     }
     progress(&format!("installing {}: several hundred megabytes", PACKAGES.join(", ")));
@@ -113,9 +115,9 @@ fn tail(said: &[u8]) -> String {
     String::from_utf8_lossy(&said[said.len().saturating_sub(TAIL)..]).trim().to_owned()
 }
 
-/// What pip said, and in front of it what that means.
+/// What pip's words mean, and those of them that are errors.
 fn explained(said: &str) -> String {
-    let network = ["Connection", "resolution", "timed out", "Network is unreachable", "ProxyError", "SSLError"];
+    let network = ["connection", "resolution", "timed out", "unreachable", "Proxy", "SSL"];
     let what = if network.iter().any(|word| said.contains(word)) {
         "pip could not reach the package index"
     } else if said.contains("No space left") {
@@ -125,5 +127,6 @@ fn explained(said: &str) -> String {
     } else {
         "pip failed"
     };
-    format!("{what}: {said}")
+    let errors: Vec<&str> = said.lines().filter(|line| line.starts_with("ERROR")).collect();
+    format!("{what}: {}", if errors.is_empty() { said.to_owned() } else { errors.join(" ") })
 }
