@@ -73,8 +73,7 @@ impl Embree {
         let child = Child::start(&python_of(venv), SCRIPT, &[kind.id], &files);
         let child = child.map_err(|why| Absent::new(kind.name, why))?;
         let threads = if kind.threads { thread::available_parallelism().map_or(1, usize::from) } else { 1 };
-        let plural = if threads == 1 { "" } else { "s" };
-        let how = format!("{}; {threads} thread{plural}, timed in Python around the call alone", kind.how);
+        let how = format!("{}; threads: {threads}, timed in Python around the call alone", kind.how);
         Ok(Box::new(Self { kind, how, child, triangles: mesh.triangles.len() }))
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn threaded<T: Crate>(mesh: &Mesh) -> Contestant {
     let start = Instant::now();
     let peer = caught(|| T::build(mesh)).flatten().map_err(|why| Absent::new(T::NAME, why))?;
     let build_seconds = start.elapsed().as_secs_f64();
-    let how = format!("{}; {} threads, {CHUNK} rays at a time", T::HOW, rayon::current_num_threads());
+    let how = format!("{}; threads: {}, {CHUNK} rays at a time", T::HOW, rayon::current_num_threads());
     Ok(Box::new(Threaded { peer, how, build_seconds, triangles: mesh.triangles.len() }))
 }
 
