@@ -1,8 +1,8 @@
 #![expect(clippy::unwrap_used, reason = "a test")]
 
+use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::meshes::cube;
-use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
 
 use super::{Adaptor, Contestant, absent_python_peers, make_venv, python_peers, rust_peers};
 
