@@ -14,7 +14,7 @@ const ROOMS: [(&str, &[&str]); 8] = [
     ("rayproof-cpu", &["rayproof-scene"]),
     ("rayproof", &["rayproof-cpu", "rayproof-gpu", "rayproof-scene"]),
     ("rayproof-oracle", &["rayproof-scene"]),
-    ("rayproof-report", &["rayproof", "rayproof-oracle"]),
+    ("rayproof-report", &["rayproof", "rayproof-gpu", "rayproof-oracle"]),
     ("rayproof-cli", &["rayproof", "rayproof-oracle", "rayproof-report"]),
     ("rayproof-tests", &[]),
 ];

@@ -17,6 +17,7 @@ mod gpu;
 mod kernel;
 mod link;
 mod pages;
+mod ray_query;
 mod spirv;
 mod wide;
 
@@ -27,4 +28,5 @@ pub use fingerprint::{Fingerprint, Route};
 pub use gpu::{Gpu, Selector};
 pub use kernel::{Contents, Kernel, Pass, Query, Walk, Width};
 pub use link::Linked;
+pub use ray_query::RayQuery;
 pub use wide::Wide;

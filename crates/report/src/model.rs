@@ -20,7 +20,7 @@ pub struct Report {
     pub mode: String,
     /// What all random numbers start from.
     pub seed: u64,
-    /// The day, `2026-11-25`; and the processor with its threads.
+    /// The day in UTC, `2026-11-25`.
     pub date: String,
     /// The processor's name and how many threads ran.
     pub processor: String,

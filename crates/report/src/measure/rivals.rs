@@ -3,9 +3,12 @@
 use std::path::PathBuf;
 
 use rayproof::scene::{Geometry, Mesh, Scene};
+use rayproof_gpu::Selector;
 
 use crate::model;
-use crate::peers::{Adaptor, absent_python_peers, absent_rust_peers, python_peers, rust_peers};
+use crate::peers::{
+    Adaptor, absent_python_peers, absent_ray_query, absent_rust_peers, python_peers, ray_query_peer, rust_peers,
+};
 
 /// Which peers are asked for.
 #[derive(Clone, Debug)]
@@ -25,12 +28,11 @@ impl Rivals {
         let mut rivals = Self { asked, known: Vec::new() };
         if rivals.asked.is_none() {
             let why = "not asked for: give --peers";
-            for absent in absent_rust_peers(why).into_iter().chain(absent_python_peers(why)) {
+            let others = absent_rust_peers(why).into_iter().chain(absent_python_peers(why));
+            for absent in others.chain([absent_ray_query(why)]) {
                 rivals.take(absent);
             }
         }
-        let note = "rayproof has no adaptor for it yet; on software adapters it would be no peer";
-        rivals.absent("wgpu ray query", note);
         rivals
     }
 
@@ -46,6 +48,8 @@ impl Rivals {
             Ok(venv) => python_peers(mesh, venv),
             Err(why) => absent_python_peers(why),
         });
+        // On a software adapter it is a peer in name only.
+        all.push(ray_query_peer(mesh, &Selector::Hardware));
         all.into_iter().filter_map(|contestant| self.take(contestant)).collect()
     }
 

@@ -11,6 +11,7 @@ mod obvhs;
 #[cfg(feature = "peers")]
 mod parry;
 mod python;
+mod ray_query;
 mod rust;
 #[cfg(test)]
 mod tests;
@@ -19,6 +20,7 @@ mod threads;
 mod venv;
 
 pub use python::{absent_python_peers, python_peers};
+pub use ray_query::{absent_ray_query, ray_query_peer};
 pub use rust::{absent_rust_peers, rust_peers};
 pub use venv::make_venv;
 

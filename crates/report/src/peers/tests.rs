@@ -4,7 +4,9 @@ use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::meshes::cube;
 
-use super::{Adaptor, Contestant, absent_python_peers, make_venv, python_peers, rust_peers};
+use rayproof_gpu::Selector;
+
+use super::{Adaptor, Contestant, absent_python_peers, make_venv, python_peers, ray_query_peer, rust_peers};
 
 /// Rays from inside a cube through places where nobody errs, with directions of many lengths.
 fn rays() -> Vec<Ray> {
@@ -146,4 +148,17 @@ fn peers_in_python_find_what_is_there() {
     let venv = make_venv(&folder, &mut |_| ()).unwrap();
     let mesh = cube(3);
     check_all(python_peers(&mesh, &venv), &mesh);
+}
+
+/// On whatever adapter there is: one without ray queries says so.
+#[test]
+fn a_ray_query_answers_or_says_why_not() {
+    let mesh = cube(3);
+    match ray_query_peer(&mesh, &Selector::Best) {
+        Ok(mut peer) => check(peer.as_mut(), &mesh),
+        Err(absent) => assert!(
+            ["has no ray query", "no Vulkan adapter was found"].iter().any(|why| absent.why.contains(why)),
+            "{absent}"
+        ),
+    }
 }
