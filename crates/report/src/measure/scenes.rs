@@ -13,6 +13,7 @@ use super::tally::Tally;
 use super::timing::{Timed, Times, interleaved};
 use super::{Error, Run};
 use crate::model::{Errors, SceneEntry, SceneRow, Timing};
+use crate::page;
 
 /// The kinds of rays.
 const KINDS: [&str; 3] = ["primary", "incoherent", "diffuse"];
@@ -41,10 +42,13 @@ pub(crate) fn made(run: &Run<'_>) -> Vec<Named> {
         Sphere { center: center.as_vec3(), radius: DVec3::splat(radius).as_vec3().x }
     };
     let spheres: Vec<Sphere> = (0..count).map(&mut sphere).collect();
-    let torus = format!("torus, {} triangles", mesh.triangles.len());
+    let torus = format!("torus, {} triangles", page::count(mesh.triangles.len() as u64));
     vec![
         Named { name: torus, scene: Scene::new(vec![Geometry::Mesh(mesh)]) },
-        Named { name: format!("{count} random spheres"), scene: Scene::new(vec![Geometry::Spheres(spheres)]) },
+        Named {
+            name: format!("{} random spheres", page::count(count.into())),
+            scene: Scene::new(vec![Geometry::Spheres(spheres)]),
+        },
     ]
 }
 

@@ -11,6 +11,8 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use format::count;
+
 use crate::model::Report;
 
 /// The page: one file of HTML with its plots, for reading offline or on paper. The first report is shown first; the devices of all

@@ -44,10 +44,7 @@ pub(crate) fn lead(report: &Report) -> Vec<String> {
     let beyond = if o.beyond == 0 {
         String::new()
     } else {
-        format!(
-            "; {} more have numbers too far apart for the expansions, and stand on the rationals alone",
-            count(o.beyond)
-        )
+        format!("; for {} the numbers are too far apart for expansions, and the rationals stand alone", count(o.beyond))
     };
     vec![
         format!(
