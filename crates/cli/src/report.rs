@@ -24,12 +24,17 @@ pub(crate) fn run(args: &Report) -> Result<(), Failure> {
     if args.output.exists() && !args.output.is_dir() {
         return Err(Failure::new(Code::Usage, failed(&"this is a file; give a folder").to_string()));
     }
+    // A folder that cannot be made should not cost half an hour.
+    let make_folder = || fs::create_dir_all(&args.output).map_err(|e| failed(&e));
     let reports = if args.from.is_empty() {
-        vec![measured(args)?]
+        let order = order(args)?;
+        make_folder()?;
+        let peers = args.peers.as_deref().map(|folder| peers(folder, args.quiet));
+        vec![measure::measure(&Order { peers, ..order }, &engines, &mut Bar::new(args.quiet))?]
     } else {
         args.from.iter().map(|path| read(path)).collect::<Result<_, _>>()?
     };
-    fs::create_dir_all(&args.output).map_err(|e| failed(&e))?;
+    make_folder()?;
     let json = serde_json::to_string_pretty(&reports[0]).map_err(|e| failed(&e))?;
     let files = [
         ("report.json", json + "\n"),
@@ -57,17 +62,15 @@ fn read(path: &Path) -> Result<model::Report, Failure> {
     if report.schema == model::SCHEMA { Ok(report) } else { Err(bad(&format_args!("its schema is {}", report.schema))) }
 }
 
-fn measured(args: &Report) -> Result<model::Report, Failure> {
+/// What is asked for, but the peers.
+fn order(args: &Report) -> Result<Order, Failure> {
     let mut scenes = Vec::new();
     for path in &args.scene {
         let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
         scenes.push(Named { name, scene: rayproof::scene::load(path)?.scene });
     }
-    let devices = devices(args)?;
     let plan = if args.quick { Plan::QUICK } else { Plan::FULL };
-    let peers = args.peers.as_deref().map(|folder| peers(folder, args.quiet));
-    let order = Order { plan, devices: &devices, scenes, peers };
-    Ok(measure::measure(&order, &engines, &mut Bar::new(args.quiet))?)
+    Ok(Order { plan, devices: devices(args)?, scenes, peers: None })
 }
 
 /// The CPU engine, and what was asked for beside it; without a word a hardware GPU, if there is one.

@@ -46,11 +46,11 @@ pub enum Error {
 }
 
 /// What is to be measured.
-pub struct Order<'o> {
+pub struct Order {
     /// How much of everything.
     pub plan: Plan,
     /// The devices; the first is what others are compared with.
-    pub devices: &'o [DeviceChoice],
+    pub devices: Vec<DeviceChoice>,
     /// Scenes beside the made ones.
     pub scenes: Vec<Named>,
     /// Other people's intersectors, where they are asked for.
@@ -79,7 +79,7 @@ impl Run<'_> {
 ///
 /// # Errors
 /// When a device is not there, cannot hold a scene, or fails.
-pub fn measure(order: &Order<'_>, make: &Make<'_>, progress: &mut dyn Progress) -> Result<Report, Error> {
+pub fn measure(order: &Order, make: &Make<'_>, progress: &mut dyn Progress) -> Result<Report, Error> {
     let devices = order.devices.iter().map(Device::open).collect::<Result<Vec<_>, _>>()?;
     let mut run = Run {
         plan: order.plan,

@@ -57,14 +57,15 @@ fn rest(out: &mut String, report: &Report) {
     section(out, &sections::against(report));
     folded(out, &sections::points(report));
     out.push_str("<h2>A sphere that moves away</h2>\n");
-    let note = "A sphere of radius 1, rays all over its disc. B² − 4AC cancels: at a distance of 1,000 radii the quadratic has lost half its digits, at 10,000 \
-                it loses hits, and the stable form of its roots does not help. Curves that coincide are drawn over one another.";
+    let note = "A sphere of radius 1, rays all over its disc. B² − 4AC cancels as the square of the distance grows, and the stable form of the \
+                roots does not help: the digits are gone before. Curves that coincide are drawn over one another.";
     paragraphs(out, &[note.to_owned()]);
     if report.distance.is_empty() {
         out.push_str("<p>Not measured in this report.</p>\n")
     } else {
         figure(out, &curves::distance(report))
     }
+    paragraphs(out, &[first_wrong(report)]);
     out.push_str("<h2>How far from the edge verdicts go wrong</h2>\n");
     if report.margins.is_empty() {
         out.push_str("<p>Not measured in this report.</p>\n")
@@ -82,6 +83,16 @@ fn rest(out: &mut String, report: &Report) {
     section(out, &sections::peers(report));
     section(out, &sections::arithmetic(report));
     section(out, &sections::rules(report));
+}
+
+/// From which distance on each method misclassifies, in words.
+fn first_wrong(report: &Report) -> String {
+    let one = |c: &crate::model::DistanceCurve| match c.points.iter().find(|p| p.wrong.count > 0) {
+        Some(p) => format!("{} from {} radii on", c.method, number(p.distance)),
+        None => format!("{} nowhere", c.method),
+    };
+    let all: Vec<String> = report.distance.iter().filter(|c| c.device == 0).map(one).collect();
+    if all.is_empty() { String::new() } else { format!("Rays are misclassified by {}.", all.join(", by ")) }
 }
 
 /// The largest margins of wrong verdicts in words.
