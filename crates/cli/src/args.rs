@@ -217,7 +217,7 @@ Examples:
   rayproof report -o both --from report/report.json report-gpu/report.json
 
 DIR gets report.html (one file, with its plots), report.md and report.json (every number). The CPU engine is always measured: it \
-is what others are compared with. A quick report takes about a minute on two cores, a full one about half an hour.")]
+is what others are compared with. A quick report takes about a minute on two cores, a full one some seven.")]
 pub(crate) struct Report {
     /// The folder that gets the report; it is made where it is not there
     #[arg(short, long, value_name = "DIR", default_value = "report")]

@@ -24,7 +24,7 @@ pub(crate) fn run(args: &Report) -> Result<(), Failure> {
     if args.output.exists() && !args.output.is_dir() {
         return Err(Failure::new(Code::Usage, failed(&"this is a file; give a folder").to_string()));
     }
-    // A folder that cannot be made should not cost half an hour.
+    // A folder that cannot be made should not cost minutes.
     let make_folder = || fs::create_dir_all(&args.output).map_err(|e| failed(&e));
     let reports = if args.from.is_empty() {
         let order = order(args)?;

@@ -46,17 +46,17 @@ impl Plan {
         runs: 20,
     };
 
-    /// About half an hour on two cores.
+    /// Some seven minutes on two cores, with peers.
     pub const FULL: Self = Self {
         mode: "full",
-        family: 10_000,
-        panel: 1 << 16,
-        distance: 1 << 14,
-        margin: 1 << 19,
-        leak: 60_000,
-        invariant: 1 << 14,
-        scene: 1 << 18,
-        sample: 4096,
+        family: 2_500,
+        panel: 1 << 15,
+        distance: 4096,
+        margin: 1 << 17,
+        leak: 20_000,
+        invariant: 4096,
+        scene: 1 << 17,
+        sample: 1024,
         primitives: 70_000,
         runs: 40,
         ..Self::QUICK
