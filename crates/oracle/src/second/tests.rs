@@ -1,3 +1,5 @@
+#![expect(clippy::print_stdout, reason = "tests tell how much they compared")]
+
 use glam::Vec3;
 use rayproof_scene::{Sphere, Triangle};
 
@@ -59,6 +61,7 @@ fn a_damaged_answer_is_a_disagreement() {
 #[test]
 fn places_compare_as_the_rationals_do() {
     let mut draw = Draw::new(SEED, 200, 0);
+    #[expect(clippy::cast_possible_truncation, reason = "small whole numbers")]
     let mut whole = |n: f64| (draw.range(-n, n + 1.0).floor()) as f32;
     let (mut compared, mut equal) = (0, 0);
     for _ in 0..2_000 {
@@ -77,11 +80,11 @@ fn places_compare_as_the_rationals_do() {
                 Roots::Double(t) => vec![t.clone(), t],
                 Roots::Two(roots) => roots.into(),
             };
-            let found = roots(&line, sphere).unwrap();
+            let found = roots(&line, sphere).expect("small numbers");
             assert_eq!(found.len(), exact.len(), "{ray:?} {sphere:?}");
             places.extend(found.into_iter().zip(exact));
         }
-        let plane = PlaneHit::new(&line, &triangle).unwrap();
+        let plane = PlaneHit::new(&line, &triangle).expect("small numbers");
         let exact = PlanePoint::new(&exact_line, &triangle);
         assert_eq!(plane.is_some(), exact.is_some());
         places.extend(plane.into_iter().map(|p| p.t).zip(exact.map(|p| p.t())));
