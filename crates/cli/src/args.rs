@@ -235,7 +235,8 @@ pub(crate) struct Report {
     #[arg(long, value_name = "SCENE")]
     pub(crate) scene: Vec<PathBuf>,
 
-    /// Measure other intersectors too: Embree, from PyPI, in a virtual environment in VENV (about a gigabyte), and, in a build with the
+    /// Measure other intersectors too: Embree, from PyPI, in a virtual environment in VENV (about a gigabyte), and, in a
+    /// build with the
     /// cargo feature peers, obvhs, parry3d and bvh [default VENV: rayproof/peers in the user's cache]
     #[arg(long, value_name = "VENV", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     pub(crate) peers: Option<PathBuf>,

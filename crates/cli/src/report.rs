@@ -85,7 +85,8 @@ fn devices(args: &Report) -> Result<Vec<DeviceChoice>, Failure> {
     Ok(devices)
 }
 
-/// The peers' virtual environment in a folder, or in the user's cache where that is empty. Without one the report goes on, and says why.
+/// The peers' virtual environment in a folder, or in the user's cache where that is empty. Without one the report goes
+/// on, and says why.
 fn peers(folder: &Path, quiet: bool) -> Peers {
     let python = if folder.as_os_str().is_empty() { cache() } else { Ok(folder.to_owned()) };
     let tell = |line: &str| {

@@ -152,7 +152,8 @@ pub struct Rate {
     pub count: u64,
     /// Of how many.
     pub of: u64,
-    /// No more than this share, with 95 % confidence (Clopper and Pearson 1934, one-sided): about `3 / of` for none. 1 where `of` is 0.
+    /// No more than this share, with 95 % confidence (Clopper and Pearson 1934, one-sided): about `3 / of` for none. 1
+    /// where `of` is 0.
     pub bound: f64,
 }
 
@@ -176,10 +177,12 @@ pub struct Errors {
     pub u: Quantiles,
     /// The same of `v`.
     pub v: Quantiles,
-    /// The error of `t` over what perturbing the input by a rounding would do: `|t - t*| / (|t*| kappa u)`. A few: the method is as good as
+    /// The error of `t` over what perturbing the input by a rounding would do: `|t - t*| / (|t*| kappa u)`. A few: the
+    /// method is as good as
     /// its numbers; much more: it is the method.
     pub normalised: Quantiles,
-    /// What is left of the primitive's equation at the answer's point: `| |p - c|^2 - r^2 | / r^2` of a sphere, the distance from the plane over the triangle's size.
+    /// What is left of the primitive's equation at the answer's point: `| |p - c|^2 - r^2 | / r^2` of a sphere, the
+    /// distance from the plane over the triangle's size.
     pub residual: Quantiles,
     /// The distance of `e + t d` from `a + u (b - a) + v (c - a)` over the triangle's size; for triangles.
     pub gap: Quantiles,
@@ -243,7 +246,8 @@ pub struct Point {
     pub device: usize,
     /// Its errors.
     pub errors: Errors,
-    /// Nanoseconds a test of one ray with one primitive, by the device's own clock; on the CPU engine by the wall clock. None where a device has no clock.
+    /// Nanoseconds a test of one ray with one primitive, by the device's own clock; on the CPU engine by the wall clock.
+    /// None where a device has no clock.
     pub kernel_ns: Option<Timing>,
     /// The same from the first ray handed over to the last hit back.
     pub ns: Timing,
@@ -295,7 +299,8 @@ pub struct MarginCurve {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MarginPoint {
-    /// The middle of the bin: the exact distance of the line from the silhouette or the edge, over the largest coordinate of the
+    /// The middle of the bin: the exact distance of the line from the silhouette or the edge, over the largest
+    /// coordinate of the
     /// problem, in units of 2^-24.
     pub margin: f64,
     /// Wrong verdicts.
@@ -352,7 +357,8 @@ pub struct Leaks {
     pub leaked: Rate,
     /// Rays that crossed an even number of times: inside taken for outside. None where it does not count.
     pub even: Option<Rate>,
-    /// Rays that cross more often than exact arithmetic says: a shared edge or vertex counted twice. None where it does not count.
+    /// Rays that cross more often than exact arithmetic says: a shared edge or vertex counted twice. None where it does
+    /// not count.
     pub double: Option<Rate>,
 }
 

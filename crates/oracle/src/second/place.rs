@@ -64,7 +64,8 @@ impl Quotient {
 }
 
 impl Root {
-    /// How the root compares with `x = p / q`, `q > 0`: by the sign of the quadratic there, times `q^2`, and where the roots lie
+    /// How the root compares with `x = p / q`, `q > 0`: by the sign of the quadratic there, times `q^2`, and where the
+    /// roots lie
     /// on one side of `x` by that of its slope.
     fn order_of_ratio(&self, p: &Expansion, q: &Expansion) -> Known<Ordering> {
         let slope = &(&self.a * p) + &(&self.b * q);

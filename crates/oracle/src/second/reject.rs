@@ -1,6 +1,7 @@
 //! What a line surely misses, in `f64`: most primitives of a scene.
 //!
-//! `h = 2^-53`; nothing over- or underflows, as in the first oracle's filter. The weights `d.(s x e2)` and `d.(e1 x s)` of Cramer's
+//! `h = 2^-53`; nothing over- or underflows, as in the first oracle's filter. The weights `d.(s x e2)` and `d.(e1 x s)`
+//! of Cramer's
 //! rule have seven roundings a term (a difference in each of two factors, a product, a difference, a product, two sums), and
 //! `det = d.(e1 x e2)` as many; a discriminant `b^2 - a c` at most fourteen. [`SLACK`] allows 32 relative to the sum of the
 //! terms' absolute values, which covers those of the bounds too.

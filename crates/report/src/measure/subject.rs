@@ -98,7 +98,8 @@ impl<'m> Bench<'m> {
         Self { devices, subjects, make }
     }
 
-    /// The subjects that tell something of scenes with or without spheres: on triangles the schoolbook method is the classic one.
+    /// The subjects that tell something of scenes with or without spheres: on triangles the schoolbook method is the
+    /// classic one.
     pub(crate) fn subjects_on(&self, spheres: bool) -> Vec<Subject> {
         self.subjects.iter().copied().filter(|s| spheres || s.method != Precision::Textbook).collect()
     }

@@ -34,7 +34,8 @@ impl Truth {
     }
 }
 
-/// `|t| kappa_t u` with the condition number `kappa_t = (|e| + |c| + r + |t d|) / (|t d| |cos|)`, `cos` that of the angle between the
+/// `|t| kappa_t u` with the condition number `kappa_t = (|e| + |c| + r + |t d|) / (|t d| |cos|)`, `cos` that of the
+/// angle between the
 /// ray and the surface's normal: to first order, `f(e + t d) = 0` with unit normal `n` moves by
 /// `|dt| <= (|de| + |dc| + |dr| + |t| |dd|) / (|d| |cos|)`. Of a triangle the largest vertex takes the place of `|c| + r`.
 fn sway(ray: &Ray, primitive: &Primitive, t: f64) -> Option<f64> {

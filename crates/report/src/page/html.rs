@@ -13,8 +13,10 @@ const STYLE: &str = include_str!("page.css");
 pub(crate) fn html(reports: &[Report]) -> String {
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Rayproof: speed against error</title>\n\
-         <link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Speed against error</h1>\n"
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Rayproof: speed \
+         against error</title>\n\
+         <link rel=\"icon\" href=\"data:,\">\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n<h1>Speed \
+         against error</h1>\n"
     );
     let Some(first) = reports.first() else {
         out.push_str("<p>There is no report to show.</p>\n</main>\n</body>\n</html>\n");
@@ -42,12 +44,15 @@ fn plots(out: &mut String, reports: &[Report]) {
         out.push_str("<p>Not measured in this report.</p>\n");
         return;
     }
-    let note = "A mark is a method on a device. Above: the error of t that 99.9 % of the hits stay within, and a whisker up to the worst. \
-                Below: the share of misclassified rays; where none was, the mark lies on the floor and the whisker reaches the 95 % bound. \
+    let note = "A mark is a method on a device. Above: the error of t that 99.9 % of the hits stay within, and \
+    a whisker up to the worst. \
+                Below: the share of misclassified rays; where none was, the mark lies on the floor and the \
+                whisker reaches the 95 % bound. \
                 The grey steps join the points that no other beats in both. Left and down is better.";
     paragraphs(out, &[note.to_owned()]);
     figure(out, &pareto::plot(reports, Speed::Test));
-    let more = "The same against rays a second: right and down is better. On 64 primitives a tree saves little; whole scenes are below.";
+    let more = "The same against rays a second: right and down is better. On 64 primitives a tree saves little; \
+    whole scenes are below.";
     let _ = writeln!(out, "<details><summary>The same against millions of rays a second</summary>\n<p>{more}</p>");
     figure(out, &pareto::plot(reports, Speed::Rays));
     out.push_str("</details>\n");
@@ -57,7 +62,8 @@ fn rest(out: &mut String, report: &Report) {
     section(out, &sections::against(report));
     folded(out, &sections::points(report));
     out.push_str("<h2>A sphere that moves away</h2>\n");
-    let note = "A sphere of radius 1, rays all over its disc. B² − 4AC cancels as the square of the distance grows, and the stable form of the \
+    let note = "A sphere of radius 1, rays all over its disc. B² − 4AC cancels as the square of the distance \
+    grows, and the stable form of the \
                 roots does not help: the digits are gone before. Curves that coincide are drawn over one another.";
     paragraphs(out, &[note.to_owned()]);
     if report.distance.is_empty() {
@@ -135,8 +141,10 @@ fn show(out: &mut String, method: &str, what: &str, case: &Case) {
     let replays = if case.replays { "" } else { " (alone it answers otherwise: the other primitives matter)" };
     let _ = writeln!(
         out,
-        "<p>{method}, {what}: exact is {}; the answer {}{off}{replays}</p>\n<pre>cat &gt; case.toml &lt;&lt;'END'\n{}END\ncat &gt; case.csv \
-         &lt;&lt;'END'\n{}END\nrayproof intersect case.toml case.csv -o - --to csv --device cpu --precision {method} --check 1</pre>",
+        "<p>{method}, {what}: exact is {}; the answer {}{off}{replays}</p>\n<pre>cat &gt; case.toml \
+        &lt;&lt;'END'\n{}END\ncat &gt; case.csv \
+         &lt;&lt;'END'\n{}END\nrayproof intersect case.toml case.csv -o - --to csv --device cpu --precision \
+         {method} --check 1</pre>",
         escape(&case.exact),
         escape(&case.answer),
         escape(&case.scene),

@@ -15,7 +15,8 @@ pub(crate) use format::count;
 
 use crate::model::Report;
 
-/// The page: one file of HTML with its plots, for reading offline or on paper. The first report is shown first; the devices of all
+/// The page: one file of HTML with its plots, for reading offline or on paper. The first report is shown first; the
+/// devices of all
 /// stand side by side in the plot.
 #[must_use]
 pub fn html(reports: &[Report]) -> String {

@@ -153,7 +153,8 @@ impl Drawing {
         let (width, height) = (right - left, bottom - top);
         let _ = writeln!(
             self.body,
-            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"none\" stroke=\"#888\"/>"
+            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"none\" \
+            stroke=\"#888\"/>"
         );
         if let Some(name) = name {
             self.text((left + right) / 2.0, bottom + 36.0, "middle", "#333", name);
@@ -200,7 +201,8 @@ impl Area {
     }
 }
 
-/// Moves labels apart that stand one above the other: their places in order, each at least `gap` from the last, as near to where
+/// Moves labels apart that stand one above the other: their places in order, each at least `gap` from the last, as near
+/// to where
 /// they belong as that lets them, and none outside of `low..high` while there is room.
 pub(crate) fn spread(wanted: &[f64], gap: f64, low: f64, high: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();

@@ -17,8 +17,10 @@ pub(crate) fn leaks(report: &Report) -> Section {
             l.double.as_ref().map_or("does not count".to_owned(), rate),
         ]);
     }
-    let text = "From inside closed meshes, exactly at vertices and edges: a ray that hits nothing has leaked, and an even count takes inside \
-                for outside. exact counts crossings; for the others every triangle that claims the ray is counted, on the CPU engine.";
+    let text = "From inside closed meshes, exactly at vertices and edges: a ray that hits nothing has leaked, \
+    and an even count takes inside \
+                for outside. exact counts crossings; for the others every triangle that claims the ray is \
+                counted, on the CPU engine.";
     Section::new("Leaks, double counts, parity", &[text], table)
 }
 
@@ -28,7 +30,8 @@ pub(crate) fn invariants(report: &Report) -> Section {
         let (who, d) = (i.method.clone(), device(report, i.device).to_owned());
         table.row([i.change.clone(), i.primitive.clone(), who, d, rate(&i.verdict), rate(&i.t)]);
     }
-    let text = "Real arithmetic's answer does not depend on the order of vertices or axes, and scales by powers of two. For exact every bit \
+    let text = "Real arithmetic's answer does not depend on the order of vertices or axes, and scales by powers \
+    of two. For exact every bit \
                 must hold.";
     Section::new("Invariants", &[text], table)
 }
@@ -60,7 +63,8 @@ pub(crate) fn peers(report: &Report) -> Section {
         let measured = if p.measured { "yes" } else { "not measured" };
         table.row([p.name.clone(), p.version.clone(), measured.to_owned(), p.note.clone()]);
     }
-    let text = "Other people's intersectors, in the same run, on the same rays, against the same oracle; their rows stand under leaks and \
+    let text = "Other people's intersectors, in the same run, on the same rays, against the same oracle; their \
+    rows stand under leaks and \
                 whole scenes. Nothing here is copied from elsewhere.";
     Section::new("Peers", &[text], table)
 }
@@ -94,7 +98,8 @@ pub(crate) fn against(report: &Report) -> Section {
         table.row(row);
     }
     let text = format!(
-        "In the same run, end to end, as their users call them; how, and on how many threads, stands under Peers. The errors are the worst over these scenes' samples; the leaks are those of the closed \
+        "In the same run, end to end, as their users call them; how, and on how many threads, stands under \
+        Peers. The errors are the worst over these scenes' samples; the leaks are those of the closed \
          mesh of {} triangles.",
         count(largest)
     );
@@ -125,7 +130,8 @@ pub(crate) fn arithmetic(report: &Report) -> Section {
     }
     let pairs = report.devices.iter().flat_map(|d| &d.arithmetic).map(|a| a.pairs).max().unwrap_or(0);
     let text = format!(
-        "How many results of {} pairs of numbers are not those of IEEE 754, by the route that kernels take to the driver.",
+        "How many results of {} pairs of numbers are not those of IEEE 754, by the route that kernels take to \
+        the driver.",
         count(pairs)
     );
     Section::new("Arithmetic of the devices", &[&text], table)

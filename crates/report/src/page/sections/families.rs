@@ -45,7 +45,8 @@ pub(crate) fn matrix(report: &Report, on: usize) -> Section {
         row.extend([d.first, d.refined, d.resolved].map(|n| Cell::from(part(n))));
         table.row(row);
     }
-    let text = "Each cell: the worst error of t in ULP, and how many rays were misclassified. The last three columns: where the cascade \
+    let text = "Each cell: the worst error of t in ULP, and how many rays were misclassified. The last three \
+    columns: where the cascade \
                 of exact decided. Darker is worse.";
     let mut section =
         Section::new(&format!("The 42 families of hard cases, on {}", device(report, on)), &[text], table);

@@ -42,7 +42,8 @@ pub(crate) fn lead(report: &Report) -> Vec<String> {
     let o = &report.oracles;
     let oracles = if o.disagreed == 0 {
         format!(
-            "Two independent oracles, rationals and floating-point expansions, answered {} of these rays and agree on every bit",
+            "Two independent oracles, rationals and floating-point expansions, answered {} of these rays and \
+            agree on every bit",
             count(o.compared)
         )
     } else {
@@ -55,8 +56,10 @@ pub(crate) fn lead(report: &Report) -> Vec<String> {
     };
     vec![
         format!(
-            "Every error on this page is against the exact answer for the very f32 numbers given, in real arithmetic; every \
-             time was taken in the same run, in turn. Measured on {}, with {}, on {}: a {} report of rayproof {}, seed {}.",
+            "Every error on this page is against the exact answer for the very f32 numbers given, in real \
+            arithmetic; every \
+             time was taken in the same run, in turn. Measured on {}, with {}, on {}: a {} report of rayproof \
+             {}, seed {}.",
             devices.join(" and "),
             report.processor,
             report.date,
@@ -71,14 +74,19 @@ pub(crate) fn lead(report: &Report) -> Vec<String> {
 /// Definitions.
 pub(crate) fn reading() -> Section {
     let text = [
-        "ULP: the distance between t and the exact t in units of the last place of the exact one; u and v likewise. 0.5 is what rounding to the nearest \
+        "ULP: the distance between t and the exact t in units of the last place of the exact one; u and v \
+        likewise. 0.5 is what rounding to the nearest \
          costs, and no f32 can do better.",
         "Misclassified: a hit that is missed, a miss that is hit, or another primitive than the exact closest one.",
-        "≤: with 95 % confidence the true share is no larger (Clopper and Pearson, one-sided); none of N means below about 3/N.",
-        "Of condition: the error of t over what a rounding of every input may do to it. A few: the method is as good as its input; \
+        "≤: with 95 % confidence the true share is no larger (Clopper and Pearson, one-sided); none of N means \
+        below about 3/N.",
+        "Of condition: the error of t over what a rounding of every input may do to it. A few: the method is as \
+        good as its input; \
          thousands: it is the method that loses digits.",
-        "Residual: what is left of the primitive's equation at the returned t, relative to its size, evaluated in f64. Gap: between e + t d and the point that u and v name.",
-        "Margin: the exact distance of the ray's line from the silhouette or edge in units of 2^-24 of the largest coordinate: beyond a few, a wrong verdict is the method's.",
+        "Residual: what is left of the primitive's equation at the returned t, relative to its size, evaluated \
+        in f64. Gap: between e + t d and the point that u and v name.",
+        "Margin: the exact distance of the ray's line from the silhouette or edge in units of 2^-24 of the \
+        largest coordinate: beyond a few, a wrong verdict is the method's.",
         "A case is a scene and a ray in hexadecimal floats; rayproof intersect answers it again to the bit.",
     ];
     let text = text.map(str::to_owned).into();

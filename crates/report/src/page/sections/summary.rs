@@ -62,7 +62,8 @@ pub(crate) fn summary(report: &Report) -> Section {
     let of = |panel: Option<&Panel>| panel.map_or("not measured", |p| p.workload.as_str()).to_owned();
     let mut section = Section::new("In one table", &[], table);
     section.text.push(format!(
-        "Sphere: {} Triangle: {} ns: nanoseconds a test by the device's clock where it has one. M rays/s: through a tree, end to \
+        "Sphere: {} Triangle: {} ns: nanoseconds a test by the device's clock where it has one. M rays/s: \
+        through a tree, end to \
          end. Leaks: rays from inside a closed mesh that hit nothing, on the worst of the meshes.",
         of(panels[0]),
         of(panels[1])
@@ -102,8 +103,10 @@ fn advice(report: &Report) -> Vec<String> {
         String::new()
     };
     vec![format!(
-        "Which to take: exact where a wrong hit costs anything ({} misclassified against fast's {} in the two workloads above; a test costs {} times \
-         fast's{trees}). fast for pictures. double where the last answers at edges and tangents do not matter but digits do, and f64 is \
+        "Which to take: exact where a wrong hit costs anything ({} misclassified against fast's {} in the two \
+        workloads above; a test costs {} times \
+         fast's{trees}). fast for pictures. double where the last answers at edges and tangents do not matter \
+         but digits do, and f64 is \
          cheap. textbook and classic are here to be compared with.",
         count(exact_wrong),
         count(fast_wrong),
