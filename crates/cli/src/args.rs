@@ -216,7 +216,8 @@ Examples:
   rayproof report --device gpu --peers
   rayproof report -o both --from report/report.json report-gpu/report.json
 
-DIR gets report.html (one file, with its plots), report.md and report.json (every number). The CPU engine is always measured: it \
+DIR gets report.html (one file, with its plots), report.md, plot.svg and report.json (every number); \
+those of an earlier run are replaced. The CPU engine is always measured: it \
 is what others are compared with. A quick report takes about a minute on two cores, a full one some seven.")]
 pub(crate) struct Report {
     /// The folder that gets the report; it is made where it is not there
@@ -241,7 +242,7 @@ pub(crate) struct Report {
     #[arg(long, value_name = "VENV", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     pub(crate) peers: Option<PathBuf>,
 
-    /// Measure nothing: make the pages of these report.json files, side by side; report.json is that of the first
+    /// Measure nothing: make the pages of these report.json files, their devices side by side
     #[arg(long, value_name = "JSON", num_args = 1.., conflicts_with_all = ["device", "quick", "scene", "peers"])]
     pub(crate) from: Vec<PathBuf>,
 

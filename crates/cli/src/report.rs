@@ -21,8 +21,8 @@ pub(crate) fn run(args: &Report) -> Result<(), Failure> {
     let start = Instant::now();
     let failed =
         |e: &dyn std::fmt::Display| Failure::new(Code::Running, format!("--output: {}: {e}", args.output.display()));
-    if args.output.exists() && !args.output.is_dir() {
-        return Err(Failure::new(Code::Usage, failed(&"this is a file; give a folder").to_string()));
+    if args.output.as_os_str() == "-" || (args.output.exists() && !args.output.is_dir()) {
+        return Err(Failure::new(Code::Usage, failed(&"a report is several files; give a folder").to_string()));
     }
     // A folder that cannot be made should not cost minutes.
     let make_folder = || fs::create_dir_all(&args.output).map_err(|e| failed(&e));
@@ -35,13 +35,16 @@ pub(crate) fn run(args: &Report) -> Result<(), Failure> {
         args.from.iter().map(|path| read(path)).collect::<Result<_, _>>()?
     };
     make_folder()?;
-    let json = serde_json::to_string_pretty(&reports[0]).map_err(|e| failed(&e))?;
-    let files = [
-        ("report.json", json + "\n"),
+    let mut files = vec![
         ("report.md", page::markdown(&reports)),
         ("report.html", page::html(&reports)),
-        ("plot.svg", page::plot(&reports[0])),
+        ("plot.svg", page::plot(&reports)),
     ];
+    // What is read is never written: a measurement cannot be lost to another's pages.
+    if args.from.is_empty() {
+        let json = serde_json::to_string_pretty(&reports[0]).map_err(|e| failed(&e))?;
+        files.push(("report.json", json + "\n"));
+    }
     for (name, text) in &files {
         target::replace(&args.output.join(name), |mut file| file.write_all(text.as_bytes())).map_err(|e| failed(&e))?;
     }
@@ -59,7 +62,8 @@ fn read(path: &Path) -> Result<model::Report, Failure> {
     };
     let text = fs::read_to_string(path).map_err(|e| bad(&e))?;
     let report: model::Report = serde_json::from_str(&text).map_err(|e| bad(&e))?;
-    if report.schema == model::SCHEMA { Ok(report) } else { Err(bad(&format_args!("its schema is {}", report.schema))) }
+    report.check().map_err(|e| bad(&e))?;
+    Ok(report)
 }
 
 /// What is asked for, but the peers.

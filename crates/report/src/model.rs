@@ -48,6 +48,26 @@ pub struct Report {
     pub peers: Vec<Peer>,
 }
 
+impl Report {
+    /// Whether rows name devices that are there, and what there is to say if not.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), String> {
+        if self.schema != SCHEMA {
+            return Err(format!("its schema is {}", self.schema));
+        }
+        let panels = self.panels.iter().flat_map(|p| &p.points).map(|p| p.device);
+        let curves = self.distance.iter().map(|c| c.device).chain(self.margins.iter().map(|c| c.device));
+        let families = self.families.iter().flat_map(|f| &f.rows).map(|r| r.device);
+        let mut all = panels.chain(curves).chain(families).chain(self.invariants.iter().map(|i| i.device));
+        match all.find(|&device| device >= self.devices.len()) {
+            Some(device) => Err(format!("a row names device {device}, and it has {}", self.devices.len())),
+            None => Ok(()),
+        }
+    }
+}
+
 /// A way to compute a hit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -177,9 +197,8 @@ pub struct Errors {
     pub u: Quantiles,
     /// The same of `v`.
     pub v: Quantiles,
-    /// The error of `t` over what perturbing the input by a rounding would do: `|t - t*| / (|t*| kappa u)`. A few: the
-    /// method is as good as
-    /// its numbers; much more: it is the method.
+    /// The error of `t` over what rounding every input and the result may do: `|t - t*| / (|t*| kappa u + ulp(t*) / 2)`, with
+    /// `u = 2^-24`. A few: the method is as good as its numbers; much more: it is the method. Rays along the surface are left out.
     pub normalised: Quantiles,
     /// What is left of the primitive's equation at the answer's point: `| |p - c|^2 - r^2 | / r^2` of a sphere, the
     /// distance from the plane over the triangle's size.
@@ -251,6 +270,8 @@ pub struct Point {
     pub kernel_ns: Option<Timing>,
     /// The same from the first ray handed over to the last hit back.
     pub ns: Timing,
+    /// That over the same of `fast` on the same device, round by round.
+    pub of_fast: Timing,
     /// Millions of rays a second against a tree of such primitives, end to end.
     pub mrays: Timing,
 }
@@ -406,6 +427,8 @@ pub struct SceneEntry {
     pub mrays: Timing,
     /// The same by the device's own clock.
     pub kernel_mrays: Option<Timing>,
+    /// The rate over that of `fast` on the same device, round by round; none for peers.
+    pub of_fast: Option<Timing>,
     /// The errors of a sample of the same rays.
     pub errors: Errors,
 }

@@ -4,7 +4,7 @@ use rayproof::scene::{Hit, Ray, Scene};
 
 use super::case::{Asked, errors};
 use super::plan::Progress;
-use super::subject::{Answers, Subject, Walk};
+use super::subject::{Answers, Subject, Walk, fast_of};
 use super::tally::Tally;
 use super::timing::{Times, times_of};
 use super::workloads::{self, PRIMITIVES, Workload};
@@ -29,7 +29,8 @@ fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel,
     let tree = times(run, &subjects, &scene, &rays, Walk::Tree)?;
     let asked = [Asked::new(scene, rays)];
     let mut points = Vec::new();
-    for ((&subject, every), tree) in subjects.iter().zip(&every).zip(&tree) {
+    for (i, (&subject, tree)) in subjects.iter().zip(&tree).enumerate() {
+        let (own, fast) = (&every[i], &every[fast_of(&subjects, subject)]);
         let hits: Vec<Hit> = run.bench.closest(subject, &asked[0].scene, &asked[0].rays)?;
         let mut tally = Tally::default();
         tally.add(0, &asked[0].scene, &asked[0].rays, &asked[0].truth, &hits);
@@ -39,8 +40,9 @@ fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel,
             method: subject.id(),
             device: subject.device,
             errors: errors(&run.bench, subject, &asked, tally)?,
-            kernel_ns: every.kernel_as(ns),
-            ns: every.wall_as(ns),
+            kernel_ns: own.kernel_as(ns),
+            ns: own.wall_as(ns),
+            of_fast: own.over(fast),
             mrays: tree.wall_as(|seconds| rays / seconds / 1e6),
         });
     }

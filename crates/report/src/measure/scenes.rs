@@ -8,7 +8,7 @@ use rayproof_oracle::families::{Draw, meshes};
 use super::case::{Asked, errors};
 use super::plan::Progress;
 use super::statistics::timing;
-use super::subject::{Answers, Subject, Walk};
+use super::subject::{Answers, Subject, Walk, fast_of};
 use super::tally::Tally;
 use super::timing::{Timed, Times, interleaved};
 use super::{Error, Run};
@@ -87,17 +87,21 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
     let mut peers = run.rivals.mesh(scene).map(|mesh| run.rivals.on(mesh)).unwrap_or_default();
     let ours = ready.iter_mut().map(|r| r as &mut dyn Timed);
     let mut contestants: Vec<&mut dyn Timed> = ours.chain(peers.iter_mut().map(|p| p as &mut dyn Timed)).collect();
-    let mut times = interleaved(&mut contestants, rays, run.plan.runs).into_iter();
+    let mut times = interleaved(&mut contestants, rays, run.plan.runs);
     drop(ready);
+    let theirs = times.split_off(subjects.len());
+    let ours = times.into_iter().collect::<Result<Vec<Times>, _>>()?;
     let asked = [Asked::new(scene.clone(), sample(rays, run.plan.sample, &mut Draw::new(run.plan.seed, 106, 0)))];
     run.agree(scene, &asked[0].rays);
     let mut entries = Vec::new();
-    for ((&subject, times), builds) in subjects.iter().zip(times.by_ref()).zip(builds) {
+    for ((&subject, times), builds) in subjects.iter().zip(&ours).zip(builds) {
         let hits: Vec<Hit> = run.bench.closest(subject, scene, &asked[0].rays)?;
         let errors = errors(&run.bench, subject, &asked, tally(&asked[0], &hits))?;
-        entries.push(entry(run.bench.name(subject), false, timing(builds.clone()), &times?, rays.len(), errors));
+        let entry = entry(run.bench.name(subject), timing(builds.clone()), times, rays.len(), errors);
+        let of_fast = Some(ours[fast_of(&subjects, subject)].over(times));
+        entries.push(SceneEntry { of_fast, ..entry });
     }
-    for (mut peer, times) in peers.into_iter().zip(times) {
+    for (mut peer, times) in peers.into_iter().zip(theirs) {
         let mut hits = vec![Hit::MISS; asked[0].rays.len()];
         let judged = times.and_then(|times| {
             peer.closest(&asked[0].rays, &mut hits).map_err(Error::Peer)?;
@@ -107,7 +111,8 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
             Ok(times) => {
                 let errors = tally(&asked[0], &hits).errors();
                 let build = timing(vec![peer.build_seconds()]);
-                entries.push(entry(peer.name().to_owned(), true, build, &times, rays.len(), errors));
+                let entry = entry(peer.name().to_owned(), build, &times, rays.len(), errors);
+                entries.push(SceneEntry { peer: true, ..entry });
             }
             Err(e) => run.rivals.absent(peer.name(), &e.to_string()),
         }
@@ -121,9 +126,10 @@ fn tally(asked: &Asked, hits: &[Hit]) -> Tally {
     tally
 }
 
-fn entry(who: String, peer: bool, build: Timing, times: &Times, rays: usize, errors: Errors) -> SceneEntry {
+fn entry(who: String, build: Timing, times: &Times, rays: usize, errors: Errors) -> SceneEntry {
     let rate = |seconds: f64| rays as f64 / seconds / 1e6;
-    SceneEntry { who, peer, build, mrays: times.wall_as(rate), kernel_mrays: times.kernel_as(rate), errors }
+    let (mrays, kernel_mrays) = (times.wall_as(rate), times.kernel_as(rate));
+    SceneEntry { who, peer: false, build, mrays, kernel_mrays, of_fast: None, errors }
 }
 
 /// So many of the rays, drawn at random: an even stride might follow a column of the picture.

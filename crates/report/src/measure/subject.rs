@@ -81,6 +81,12 @@ impl Subject {
     }
 }
 
+/// The place of `fast` on the same device; the subject's own where that is not there.
+pub(crate) fn fast_of(subjects: &[Subject], subject: Subject) -> usize {
+    let place = |wanted: Subject| subjects.iter().position(|s| *s == wanted);
+    place(Subject { method: Precision::Fast, ..subject }).or_else(|| place(subject)).unwrap_or(0)
+}
+
 /// Everything that runs in one report.
 pub(crate) struct Bench<'m> {
     pub(crate) devices: Vec<Device>,

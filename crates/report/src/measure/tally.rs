@@ -1,7 +1,6 @@
 //! A method's answers against the exact ones, added up.
 
 use rayproof::scene::{Hit, Primitive, Ray, Scene};
-use rayproof_oracle::judge::ulp_distance;
 
 use super::statistics::{quantiles, rate};
 use super::truth::{Truth, corners};
@@ -81,9 +80,8 @@ impl Tally {
     fn measure(&mut self, scene: &Scene, ray: &Ray, truth: &Truth, answer: &Hit) -> f64 {
         let ulp = ulps(answer.t, truth.t, truth.hit.t);
         self.t.push(ulp);
-        let off = (f64::from(answer.t) - truth.t).abs();
-        if let Some(sway) = truth.sway.filter(|_| off.is_finite()) {
-            self.normalised.push(off / sway);
+        if let Some(sway) = truth.sway.filter(|_| truth.hit.t.is_finite()) {
+            self.normalised.push((value(answer.t) - truth.t).abs() / (sway + 0.5 * unit(truth.t)));
         }
         let (d, t) = (ray.direction.as_dvec3(), f64::from(answer.t));
         let p = ray.origin.as_dvec3() + d * t;
@@ -137,20 +135,25 @@ fn push_finite(list: &mut Vec<f64>, x: f64) {
 
 /// How far a number is off, in units of the last place of the exact one: half at most where it is the nearest.
 ///
-/// Beyond the range of `f32`, and for NaN, how many numbers lie between.
+/// Infinity stands for `2^128`, where rounding overflows, and so does NaN.
 pub(crate) fn ulps(answer: f32, exact: f64, nearest: f32) -> f64 {
-    if !answer.is_finite() || !nearest.is_finite() {
-        return ulp_distance(answer, nearest).min(1 << 32) as f64;
-    }
     if answer.to_bits() == nearest.to_bits() {
         // The exact number lies within half a unit; beside a power of two its own unit may be the smaller one.
-        return ((f64::from(answer) - exact).abs() / unit(exact)).min(0.5);
+        let off = (f64::from(answer) - exact).abs() / unit(exact);
+        return if answer.is_finite() { off.min(0.5) } else { 0.0 };
     }
-    (f64::from(answer) - exact).abs() / unit(exact)
+    (value(answer) - exact.clamp(-OVERFLOW, OVERFLOW)).abs() / unit(exact)
+}
+
+/// Where rounding to `f32` overflows.
+const OVERFLOW: f64 = 340_282_366_920_938_463_463_374_607_431_768_211_456.0; // 2^128
+
+fn value(answer: f32) -> f64 {
+    if answer.is_finite() { f64::from(answer) } else { OVERFLOW.copysign(f64::from(answer)) }
 }
 
 /// The distance between the `f32` numbers around `x`.
-fn unit(x: f64) -> f64 {
+pub(crate) fn unit(x: f64) -> f64 {
     let exponent = (x.abs().to_bits() >> 52).cast_signed() - 1023;
     #[expect(clippy::cast_possible_truncation, reason = "eleven bits")]
     let exponent = exponent.clamp(-126, 127) as i32;
@@ -172,6 +175,7 @@ mod tests {
         assert_eq!(ulps(-1.0, 1.0, 1.0), 2.0_f64.powi(24));
         assert_eq!(ulps(f32::INFINITY, 1e39, f32::INFINITY), 0.0);
         assert_eq!(ulps(f32::MAX, 1e39, f32::INFINITY), 1.0);
-        assert_eq!(ulps(f32::NAN, 1.0, 1.0), 2.0_f64.powi(32));
+        assert_eq!(ulps(f32::INFINITY, 1.0, 1.0), 2.0_f64.powi(151) - 2.0_f64.powi(23));
+        assert_eq!(ulps(f32::NAN, 1.0, 1.0), 2.0_f64.powi(151) - 2.0_f64.powi(23));
     }
 }

@@ -25,6 +25,11 @@ impl Times {
         timing(self.wall.iter().copied().map(unit).collect())
     }
 
+    /// How its times compare with another's, run by run.
+    pub(crate) fn over(&self, other: &Self) -> Timing {
+        timing(self.wall.iter().zip(&other.wall).map(|(own, other)| own / other).collect())
+    }
+
     pub(crate) fn kernel_as(&self, unit: impl Fn(f64) -> f64) -> Option<Timing> {
         (!self.kernel.is_empty()).then(|| timing(self.kernel.iter().copied().map(unit).collect()))
     }

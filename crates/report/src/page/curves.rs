@@ -71,12 +71,12 @@ pub(crate) fn margins(report: &Report) -> String {
 /// Curves of shares, with a band below for none; named at their right ends.
 fn rates(drawing: &mut Drawing, curves: &[(&str, Vec<(f64, Rate)>)], x: &Scale, [bottom, top]: [f64; 2], name: &str) {
     let shares = || curves.iter().flat_map(|(_, points)| points).filter(|(_, rate)| rate.count > 0);
-    let lowest = shares().map(|(_, rate)| rate.count as f64 / rate.of as f64).fold(0.1, f64::min);
-    let y = Scale::log(lowest / 2.0, 1.0, bottom - 26.0, top);
+    let lowest = shares().map(|(_, rate)| 100.0 * rate.count as f64 / rate.of as f64).fold(10.0, f64::min);
+    let y = Scale::log(lowest / 2.0, 100.0, bottom - 26.0, top);
     drawing.axes(x, &y, None);
     let (left, right) = (x.place(0.0), x.place(f64::INFINITY));
     drawing.text(left - 7.0, bottom - 6.0, "end", "#333", "none");
-    drawing.upward(left - 52.0, (top + bottom) / 2.0, "misclassified, share");
+    drawing.upward(left - 52.0, (top + bottom) / 2.0, "misclassified, %");
     drawing.line([left, bottom, right, bottom], "#888", "");
     for &(tick, ref text) in &ticks(x) {
         drawing.text(tick, bottom + 17.0, "middle", "#333", text);
@@ -86,7 +86,7 @@ fn rates(drawing: &mut Drawing, curves: &[(&str, Vec<(f64, Rate)>)], x: &Scale, 
     for (method, points) in curves {
         let (color, dash, width) = style(method);
         let place = |&(at, rate): &(f64, Rate)| {
-            let share = rate.count as f64 / rate.of.max(1) as f64;
+            let share = 100.0 * rate.count as f64 / rate.of.max(1) as f64;
             (x.place(at), if rate.count == 0 { bottom - 10.0 } else { y.place(share) })
         };
         let line: Vec<(f64, f64)> = points.iter().map(place).collect();

@@ -23,13 +23,13 @@ pub(crate) fn html(reports: &[Report]) -> String {
         return out;
     };
     paragraphs(&mut out, &sections::lead(first));
-    section(&mut out, &sections::summary(first));
+    section(&mut out, &sections::summary(reports));
     plots(&mut out, reports);
+    section(&mut out, &sections::methods(first));
     rest(&mut out, first);
-    for report in &reports[1..] {
-        let _ = writeln!(out, "<h1>{}</h1>", escape(sections::device(report, report.devices.len().saturating_sub(1))));
+    for (k, report) in reports.iter().enumerate().skip(1) {
+        let _ = writeln!(out, "<h1>Report {}</h1>", k + 1);
         paragraphs(&mut out, &sections::lead(report));
-        section(&mut out, &sections::summary(report));
         rest(&mut out, report);
     }
     section(&mut out, &sections::reading());
@@ -93,12 +93,24 @@ fn rest(out: &mut String, report: &Report) {
 
 /// From which distance on each method misclassifies, in words.
 fn first_wrong(report: &Report) -> String {
-    let one = |c: &crate::model::DistanceCurve| match c.points.iter().find(|p| p.wrong.count > 0) {
-        Some(p) => format!("{} from {} radii on", c.method, number(p.distance)),
-        None => format!("{} nowhere", c.method),
+    let on_first = || report.distance.iter().filter(|c| c.device == 0);
+    // Where two distances in a row are wrong: a single ray may be anywhere.
+    let one = |c: &crate::model::DistanceCurve| {
+        let from = c.points.windows(2).find(|w| w.iter().all(|p| p.wrong.count > 0));
+        let none = c.points.iter().all(|p| p.wrong.count == 0);
+        match from {
+            Some(w) => format!("{} from {} radii on", c.method, number(w[0].distance)),
+            None if none => format!("{} nowhere", c.method),
+            None => format!("{} here and there", c.method),
+        }
     };
-    let all: Vec<String> = report.distance.iter().filter(|c| c.device == 0).map(one).collect();
-    if all.is_empty() { String::new() } else { format!("Rays are misclassified by {}.", all.join(", by ")) }
+    let all: Vec<String> = on_first().map(one).collect();
+    let Some(point) = on_first().flat_map(|c| &c.points).next() else { return String::new() };
+    format!(
+        "Of {} rays at each distance, spread over the disc and none of them aimed at its rim, some are misclassified by {}.",
+        super::format::count(point.wrong.of),
+        all.join(", by ")
+    )
 }
 
 /// The largest margins of wrong verdicts in words.
@@ -169,12 +181,13 @@ fn section(out: &mut String, section: &Section) {
 
 /// A section whose table is long: closed at first.
 fn folded(out: &mut String, section: &Section) {
-    let _ = writeln!(out, "<h2>{}</h2>\n", escape(&section.title));
+    let _ = writeln!(out, "<section class=\"folded\">\n<h2>{}</h2>", escape(&section.title));
     paragraphs(out, &section.text);
     out.push_str("<details><summary>Show the table</summary>\n");
     out.push_str(&section.table.as_ref().map(table::Table::html).unwrap_or_default());
     out.push_str("</details>\n");
     paragraphs(out, &section.after);
+    out.push_str("</section>\n");
 }
 
 fn content(out: &mut String, section: &Section) {

@@ -7,14 +7,16 @@ use crate::model::Report;
 
 pub(crate) fn markdown(reports: &[Report]) -> String {
     let mut out =
-        "# Speed against error\n\nThe page with its plots is report.html; every number is in report.json.\n".to_owned();
-    for report in reports {
-        for text in sections::lead(report) {
+        "# Speed against error\n\nThe page with its plots and the cases to replay is report.html; every number is in report.json.\n".to_owned();
+    section(&mut out, &sections::summary(reports));
+    for (k, report) in reports.iter().enumerate() {
+        let _ = write!(out, "\n# Report {}\n", k + 1);
+        for text in sections::lead(report).iter().filter(|text| !text.is_empty()) {
             let _ = write!(out, "\n{text}\n");
         }
-        section(&mut out, &sections::summary(report));
-        section(&mut out, &sections::against(report));
-        section(&mut out, &sections::points(report));
+        for part in [sections::methods, sections::against, sections::points] {
+            section(&mut out, &part(report));
+        }
         section(&mut out, &sections::matrix(report, 0));
         for part in [
             sections::leaks,

@@ -29,8 +29,8 @@ pub fn markdown(reports: &[Report]) -> String {
     markdown::markdown(reports)
 }
 
-/// The plot of speed against error as an SVG file.
+/// The plot of speed against error as an SVG file, with the devices of all reports.
 #[must_use]
-pub fn plot(report: &Report) -> String {
-    pareto::plot(std::slice::from_ref(report), pareto::Speed::Test)
+pub fn plot(reports: &[Report]) -> String {
+    pareto::plot(reports, pareto::Speed::Test)
 }

@@ -1,6 +1,7 @@
 //! The plot: speed against error, a point for each method on each device.
 
-use super::format::{number, percent};
+use super::format::number;
+use super::sections::labelled;
 use super::svg::{Area, Drawing, Scale, style};
 use crate::model::{Panel, Point, Report};
 
@@ -44,8 +45,9 @@ const LEFT: f64 = 78.0;
 
 /// All panels of all reports, two a row; the devices of the reports follow one another.
 pub(crate) fn plot(reports: &[Report], speed: Speed) -> String {
-    let names: Vec<&str> = reports.iter().flat_map(|r| r.devices.iter().map(|d| d.name.as_str())).collect();
-    let panels = &reports[0].panels;
+    let devices = |(k, r): (usize, &Report)| (0..r.devices.len()).map(|i| labelled(r, k, i)).collect::<Vec<_>>();
+    let names: Vec<String> = reports.iter().enumerate().flat_map(devices).collect();
+    let panels = reports.first().map_or(&[][..], |r| &r.panels);
     let rows = panels.len().div_ceil(2);
     let mut drawing = Drawing::new(WIDTH, TOP + rows as f64 * TALL);
     for (i, name) in names.iter().enumerate() {
@@ -92,9 +94,9 @@ fn draw(drawing: &mut Drawing, panel: &Panel, points: &[Placed<'_>], speed: Spee
 
     let rates: Vec<f64> = points.iter().map(|p| shown_rate(p.point)).collect();
     let (lowest, _) = bounds(&rates);
-    let y = Scale::log(lowest / 4.0, 1.0, top + 466.0, top + 290.0);
+    let y = Scale::log(lowest / 4.0, 100.0, top + 466.0, top + 290.0);
     drawing.axes(&x, &y, Some(speed.name()));
-    drawing.upward(left + 20.0, top + 378.0, "misclassified, share of rays");
+    drawing.upward(left + 20.0, top + 378.0, "misclassified, % of rays");
     verdicts(drawing, points, speed, &x, &y);
 }
 
@@ -105,30 +107,31 @@ fn bounds(values: &[f64]) -> (f64, f64) {
     if low.is_finite() { (low, high) } else { (1.0, 10.0) }
 }
 
-/// The share that is drawn: where none was wrong, the bound.
+/// The per cent that are drawn: where none was wrong, the bound.
 fn shown_rate(point: &Point) -> f64 {
     let wrong = &point.errors.wrong;
-    if wrong.count == 0 { wrong.bound } else { wrong.count as f64 / wrong.of.max(1) as f64 }
+    100.0 * if wrong.count == 0 { wrong.bound } else { wrong.count as f64 / wrong.of.max(1) as f64 }
 }
 
 /// Upper axes: a mark at the 99.9th percentile, a whisker up to the worst.
 fn errors(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale, y: &Scale) {
-    front(drawing, points, speed, x, y, |p| p.errors.t.p999);
+    let mut taken = front(drawing, points, speed, x, y, |p| p.errors.t.p999);
     let mut labels = Vec::new();
     for Placed { point, device } in points {
         let (color, ..) = style(&point.method);
         let (px, py, worst) = (x.place(speed.of(point)), y.place(point.errors.t.p999), y.place(point.errors.t.max));
         drawing.line([px, py, px, worst], color, "stroke-width=\"1.5\"");
+        taken.push(Area { left: px - 1.0, right: px + 1.0, top: worst, bottom: py });
         drawing.line([px - 4.0, worst, px + 4.0, worst], color, "stroke-width=\"1.5\"");
         drawing.mark(px, py, *device, color);
         labels.push((px, py, color, point.method.clone()));
     }
-    label(drawing, &labels, y, x);
+    label(drawing, &labels, taken, y, x);
 }
 
 /// Lower axes: a filled mark at the share of wrong verdicts; where there is none, a whisker down from the bound.
 fn verdicts(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale, y: &Scale) {
-    front(drawing, points, speed, x, y, shown_rate);
+    let mut taken = front(drawing, points, speed, x, y, shown_rate);
     let bottom = y.place(0.0);
     let mut labels = Vec::new();
     for Placed { point, device } in points {
@@ -137,19 +140,20 @@ fn verdicts(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scal
         let text = if point.errors.wrong.count == 0 {
             drawing.line([px, py, px, bottom], color, "stroke-width=\"1.5\" stroke-dasharray=\"2 2\"");
             drawing.line([px - 4.0, py, px + 4.0, py], color, "stroke-width=\"1.5\"");
+            taken.push(Area { left: px - 1.0, right: px + 1.0, top: py, bottom });
             drawing.mark(px, bottom - 6.0, *device, color);
             labels.push((px, bottom - 6.0, color, format!("{} 0", point.method)));
             continue;
         } else {
-            format!("{} {}", point.method, percent(shown_rate(point)))
+            format!("{} {} %", point.method, number(shown_rate(point)))
         };
         drawing.mark(px, py, *device, color);
         labels.push((px, py, color, text));
     }
-    label(drawing, &labels, y, x);
+    label(drawing, &labels, taken, y, x);
 }
 
-/// The points that none beats in both, joined by steps.
+/// The points that none beats in both, joined by steps; returned is where the steps run.
 fn front(
     drawing: &mut Drawing,
     points: &[Placed<'_>],
@@ -157,7 +161,7 @@ fn front(
     x: &Scale,
     y: &Scale,
     error: impl Fn(&Point) -> f64,
-) {
+) -> Vec<Area> {
     let cost = |p: &Point| if speed == Speed::Test { speed.of(p) } else { -speed.of(p) };
     let mut all: Vec<&Point> = points.iter().map(|p| p.point).collect();
     all.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(error(a).total_cmp(&error(b))));
@@ -174,13 +178,26 @@ fn front(
         }
     }
     drawing.path(&path, "#9aa7b4", "stroke-width=\"3\" stroke-opacity=\"0.6\"");
+    let between = |w: &[(f64, f64)]| Area {
+        left: w[0].0.min(w[1].0) - 1.5,
+        right: w[0].0.max(w[1].0) + 1.5,
+        top: w[0].1.min(w[1].1) - 1.5,
+        bottom: w[0].1.max(w[1].1) + 1.5,
+    };
+    path.windows(2).map(between).collect()
 }
 
 /// Names beside their marks: each at the nearest place where it covers no mark, no other name and no frame.
-fn label(drawing: &mut Drawing, labels: &[(f64, f64, &'static str, String)], y: &Scale, x: &Scale) {
+fn label(
+    drawing: &mut Drawing,
+    labels: &[(f64, f64, &'static str, String)],
+    mut taken: Vec<Area>,
+    y: &Scale,
+    x: &Scale,
+) {
     let frame =
         Area { left: x.place(0.0), right: x.place(f64::INFINITY), top: y.place(f64::INFINITY), bottom: y.place(0.0) };
-    let mut taken: Vec<Area> = labels.iter().map(|&(px, py, ..)| Area::around(px, py, 6.0)).collect();
+    taken.extend(labels.iter().map(|&(px, py, ..)| Area::around(px, py, 6.0)));
     for (px, py, color, text) in labels {
         let width = 7.4 * text.chars().count() as f64;
         let places = (0..12).flat_map(|k| {

@@ -42,6 +42,13 @@ impl Table {
         self.rows.push(row);
     }
 
+    /// Adds a row, if there is one.
+    pub(crate) fn rows_extend(&mut self, row: Option<Vec<String>>) {
+        if let Some(row) = row {
+            self.row(row);
+        }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }

@@ -104,12 +104,12 @@ fn spheres_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Vec<Sphere>
     let mut table = Vec::with_capacity(rows.len());
     for (i, row) in rows.iter().enumerate() {
         let place = format_args!("geometry {geometry}, sphere {i} (counting from 0)");
-        match numbers::<4>(row) {
-            Some(row) => {
+        match numbers(row, "four") {
+            Ok(row) => {
                 faults.sphere(place, spheres::sphere(row));
                 table.push(spheres::sphere(row));
             }
-            None => faults.add(place, format_args!("`{row}` is not four numbers"), "give [x, y, z, radius]"),
+            Err(what) => faults.add(place, format_args!("{what}"), "give [x, y, z, radius]"),
         }
     }
     faults.none()?;
@@ -122,10 +122,12 @@ fn triangles_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Mesh, Err
     let mut mesh = Mesh::default();
     for (i, row) in rows.iter().enumerate() {
         let place = format_args!("geometry {geometry}, triangle {i} (counting from 0)");
-        let Some([ax, ay, az, bx, by, bz, cx, cy, cz]) = numbers::<9>(row) else {
-            let expected = "give [ax, ay, az, bx, by, bz, cx, cy, cz]";
-            faults.add(place, format_args!("`{row}` is not nine numbers"), expected);
-            continue;
+        let [ax, ay, az, bx, by, bz, cx, cy, cz] = match numbers(row, "nine") {
+            Ok(row) => row,
+            Err(what) => {
+                faults.add(place, format_args!("{what}"), "give [ax, ay, az, bx, by, bz, cx, cy, cz]");
+                continue;
+            }
         };
         let corners = [Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)];
         corners.into_iter().for_each(|corner| faults.vertex(place, corner));
@@ -137,9 +139,17 @@ fn triangles_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Mesh, Err
     Ok(mesh)
 }
 
-/// A row of exactly `N` numbers.
-fn numbers<const N: usize>(row: &Value) -> Option<[f32; N]> {
-    row.as_array()?.iter().map(number_of).collect::<Option<Vec<_>>>()?.try_into().ok()
+/// A row of exactly `N` numbers, or what it is instead.
+fn numbers<const N: usize>(row: &Value, count: &str) -> Result<[f32; N], String> {
+    let Some(entries) = row.as_array().filter(|entries| entries.len() == N) else {
+        return Err(format!("`{row}` is not {count} numbers"));
+    };
+    let mut numbers = [0.0; N];
+    for (number, entry) in numbers.iter_mut().zip(entries) {
+        let what = || format!("`{entry}` is no number, and no hexadecimal float that is an f32");
+        *number = number_of(entry).ok_or_else(what)?;
+    }
+    Ok(numbers)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "integers are rounded to the nearest too")]

@@ -37,7 +37,18 @@ pub(crate) fn invariants(report: &Report) -> Section {
 }
 
 pub(crate) fn scenes(report: &Report) -> Section {
-    let head = ["scene", "rays", "who", "tree, s", "M rays/s", "kernel alone", "t: 99 %", "worst", "misclassified"];
+    let head = [
+        "scene",
+        "rays",
+        "who",
+        "tree, s",
+        "M rays/s",
+        "kernel alone, M rays/s",
+        "hits judged",
+        "t, ULP: 99 %",
+        "worst",
+        "misclassified",
+    ];
     let mut table = Table::new(3, head);
     for scene in &report.scenes {
         for e in &scene.rows {
@@ -48,6 +59,7 @@ pub(crate) fn scenes(report: &Report) -> Section {
                 number(e.build.median),
                 timing(&e.mrays),
                 e.kernel_mrays.as_ref().map_or("–".to_owned(), timing),
+                count(e.errors.t.n),
                 quantile(&e.errors.t, |t| t.p99),
                 quantile(&e.errors.t, |t| t.max),
                 rate(&e.errors.wrong),

@@ -76,7 +76,8 @@ pub(crate) fn family(report: &Report, family: &crate::model::Family) -> Table {
         "missed",
         "false hits",
         "other primitive",
-        "t: 50 %",
+        "hits compared",
+        "t, ULP: 50 %",
         "90 %",
         "99 %",
         "99.9 %",
@@ -95,6 +96,7 @@ pub(crate) fn family(report: &Report, family: &crate::model::Family) -> Table {
         let e = &row.errors;
         let mut cells = vec![row.method.clone(), device(report, row.device).to_owned()];
         cells.extend([&e.misses, &e.false_hits, &e.wrong_primitive].map(rate));
+        cells.push(count(e.t.n));
         cells.extend(
             [e.t.p50, e.t.p90, e.t.p99, e.t.p999, e.t.max].map(|x| if e.t.n == 0 { "–".to_owned() } else { number(x) }),
         );

@@ -32,6 +32,38 @@ pub(crate) fn device(report: &Report, i: usize) -> &str {
     report.devices.get(i).map_or("?", |d| d.name.as_str())
 }
 
+/// The same where several reports are shown: those after the first are numbered.
+pub(crate) fn labelled(report: &Report, k: usize, i: usize) -> String {
+    let name = device(report, i);
+    if k == 0 { name.to_owned() } else { format!("{name} [report {}]", k + 1) }
+}
+
+/// What the methods are.
+pub(crate) fn methods(report: &Report) -> Section {
+    let mut table = Table::new(3, ["method", "on spheres", "on triangles"]);
+    for m in &report.methods {
+        let triangle = if m.triangle.is_empty() { "as classic" } else { &m.triangle };
+        table.row([m.id.clone(), m.sphere.clone(), triangle.to_owned()]);
+    }
+    Section::new("The methods", &["By the words that --precision takes."], table)
+}
+
+/// A sentence where times spread widely: the machine was busy.
+fn busy(report: &Report) -> String {
+    let points = report.panels.iter().flat_map(|p| &p.points).flat_map(|p| [p.ns, p.mrays]);
+    let all: Vec<crate::model::Timing> =
+        points.chain(report.scenes.iter().flat_map(|s| &s.rows).map(|r| r.mrays)).collect();
+    let wide = all.iter().filter(|t| t.p95 > 1.5 * t.p5).count();
+    if wide * 10 < all.len() {
+        return String::new();
+    }
+    format!(
+        "Beware of the times: {wide} of {} spread by half and more between their 5th and 95th percentile. The machine was \
+         busy; run it again when it is not.",
+        all.len()
+    )
+}
+
 fn who(report: &Report, method: &str, i: usize) -> String {
     format!("{method} on {}", device(report, i))
 }
@@ -68,25 +100,31 @@ pub(crate) fn lead(report: &Report) -> Vec<String> {
             report.seed
         ),
         format!("{oracles}{beyond}."),
+        busy(report),
     ]
 }
 
 /// Definitions.
 pub(crate) fn reading() -> Section {
     let text = [
-        "ULP: the distance between t and the exact t in units of the last place of the exact one; u and v \
-        likewise. 0.5 is what rounding to the nearest \
-         costs, and no f32 can do better.",
+        "ULP: the distance between t and the exact t in units of the last place of the exact one, over the hits whose \
+         primitive is right; u and v likewise. 0.5 is what rounding to the nearest costs, and no f32 can do better. An \
+         infinite t counts as 2^128. (--check counts the f32 numbers in between instead, which is the same but for errors \
+         of half the number and more.)",
+        "Quantiles: the smallest value that so many of the hits do not exceed; with fewer than a thousand hits the 99.9 % \
+         are the worst.",
         "Misclassified: a hit that is missed, a miss that is hit, or another primitive than the exact closest one.",
-        "≤: with 95 % confidence the true share is no larger (Clopper and Pearson, one-sided); none of N means \
-        below about 3/N.",
-        "Of condition: the error of t over what a rounding of every input may do to it. A few: the method is as \
-        good as its input; \
-         thousands: it is the method that loses digits.",
-        "Residual: what is left of the primitive's equation at the returned t, relative to its size, evaluated \
-        in f64. Gap: between e + t d and the point that u and v name.",
-        "Margin: the exact distance of the ray's line from the silhouette or edge in units of 2^-24 of the \
-        largest coordinate: beyond a few, a wrong verdict is the method's.",
+        "≤: with 95 % confidence the true share is no larger (Clopper and Pearson, one-sided); none of N means below about \
+         3/N.",
+        "Of condition: the error of t over what a rounding of every input and of the result may do to it. A few: the method \
+         is as good as its input; thousands: it is the method that loses digits. Rays along the surface, which have no \
+         such bound, are left out.",
+        "Residual: what is left of the primitive's equation at the returned t, relative to its size, evaluated in f64. Gap: \
+         between e + t d and the point that u and v name, over the triangle's size.",
+        "Margin: the exact distance of the ray's line from the silhouette or edge in units of 2^-24 of the largest \
+         coordinate: beyond a few, a wrong verdict is the method's.",
+        "Times: medians with the 5th and 95th percentile, everything run in turn after a warm-up that compiles. By the device's own \
+         clock (kernel) and from the first ray handed over to the last hit back (end to end); the CPU engine has only the latter.",
         "A case is a scene and a ray in hexadecimal floats; rayproof intersect answers it again to the bit.",
     ];
     let text = text.map(str::to_owned).into();
