@@ -122,12 +122,19 @@ pub fn compare(scene: &Scene, rays: &[Ray]) -> Agreement {
         let exact = first.closest(ray).as_ref().map_or(Hit::MISS, ExactHit::to_hit);
         judge(ray, exact, first.count(ray), second.answer(ray))
     };
-    rays.par_iter().map(one).reduce(Agreement::default, |a, b| Agreement {
-        compared: a.compared + b.compared,
-        disagreed: a.disagreed + b.disagreed,
-        beyond: a.beyond + b.beyond,
-        first: a.first.or(b.first),
-    })
+    rays.par_iter().map(one).reduce(Agreement::default, Agreement::with)
+}
+
+impl Agreement {
+    /// Both of two.
+    fn with(self, other: Self) -> Self {
+        Self {
+            compared: self.compared + other.compared,
+            disagreed: self.disagreed + other.disagreed,
+            beyond: self.beyond + other.beyond,
+            first: self.first.or(other.first),
+        }
+    }
 }
 
 /// One ray.

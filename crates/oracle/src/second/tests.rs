@@ -1,7 +1,7 @@
 #![expect(clippy::print_stdout, reason = "tests tell how much they compared")]
 
 use glam::Vec3;
-use rayproof_scene::{Sphere, Triangle};
+use rayproof_scene::{Geometry, Mesh, Sphere, Triangle};
 
 use super::*;
 use crate::families::{self, Draw};
@@ -17,17 +17,12 @@ fn both_oracles_agree_on_all_families() {
     for family in families::all() {
         let mut own = Agreement::default();
         for case in family.cases(SEED, 600) {
-            let found = compare(&case.scene, &case.rays);
-            own.compared += found.compared;
-            own.disagreed += found.disagreed;
-            own.beyond += found.beyond;
-            own.first = own.first.or(found.first);
+            own = own.with(compare(&case.scene, &case.rays));
         }
         println!("family {:>2}: {} compared, {} beyond", family.number, own.compared, own.beyond);
         assert_eq!(own.disagreed, 0, "family {}:\n{}", family.number, own.first.unwrap_or_default());
         assert!(own.compared > 0, "family {}: nothing was compared", family.number);
-        all.compared += own.compared;
-        all.beyond += own.beyond;
+        all = all.with(own);
     }
     println!("{} rays compared, {} beyond the range of expansions", all.compared, all.beyond);
     assert!(all.beyond * 20 < all.compared, "{} of {} are beyond", all.beyond, all.compared);
@@ -98,4 +93,44 @@ fn places_compare_as_the_rationals_do() {
         }
     }
     assert!(compared > 10_000 && equal > compared / 4, "{compared}, {equal} equal");
+}
+
+/// Scenes of small whole numbers, where lines meet edges, vertices, tangents and one another's ties, and planes that hold the
+/// ray; every axis scaled by its own power of two, the spheres' scenes by one, up to the ends of `f32`.
+#[test]
+fn both_oracles_agree_on_small_whole_numbers_of_any_scale() {
+    let mut all = Agreement::default();
+    for scene in 0..1_500 {
+        let mut draw = Draw::new(SEED, 201, scene);
+        let spread = [0, 10, 40, 125][draw.below(4)];
+        let kind = draw.below(3);
+        let mut power =
+            || f64::from(i32::try_from(draw.below(2 * spread + 1)).unwrap() - i32::try_from(spread).unwrap());
+        let scale = if kind == 0 { [power(), power(), power()] } else { [power(); 3] };
+        let scale = Vec3::from(scale.map(|x| x.exp2() as f32));
+        let mut whole = |n: f64| draw.range(-n, n + 1.0).floor() as f32;
+        let mut point = |n: f64| Vec3::new(whole(n), whole(n), whole(n));
+        let vertices: Vec<Vec3> = (0..6).map(|_| point(2.0) * scale).collect();
+        let spheres =
+            (0..6).map(|_| Sphere { center: point(2.0) * scale, radius: (point(3.0) * scale).x.abs() }).collect();
+        let rays: Vec<Ray> = (0..24)
+            .map(|_| {
+                let (range, open) = (point(4.0), point(1.0).x > 0.0);
+                let t_max = if open { f32::INFINITY } else { range.y };
+                Ray { t_min: range.x, t_max, ..Ray::new(point(3.0) * scale, point(2.0) * scale) }
+            })
+            .collect();
+        let mut corner = || u32::try_from(draw.below(6)).unwrap();
+        let triangles = (0..10).map(|_| [corner(), corner(), corner()]).collect();
+        let mesh = Geometry::Mesh(Mesh { vertices, triangles });
+        let geometries = match kind {
+            0 => vec![mesh],
+            1 => vec![Geometry::Spheres(spheres)],
+            _ => vec![mesh, Geometry::Spheres(spheres)],
+        };
+        all = all.with(compare(&Scene::new(geometries), &rays));
+    }
+    println!("{} compared, {} beyond", all.compared, all.beyond);
+    assert_eq!(all.disagreed, 0, "{}", all.first.unwrap_or_default());
+    assert!(all.compared > 30_000, "{all:?}");
 }
