@@ -64,14 +64,9 @@ impl Quotient {
 }
 
 impl Root {
-    /// How the root compares with `x = p / q`, `q > 0`: by the sign of the quadratic there, times `q^2`, and where the
-    /// roots lie
-    /// on one side of `x` by that of its slope.
-    fn order_of_ratio(&self, p: &Expansion, q: &Expansion) -> Known<Ordering> {
-        let slope = &(&self.a * p) + &(&self.b * q);
-        let value = &(&(&self.a * &p.square()) + &(&(&self.b * p) * &(q + q))) + &(&self.c * &q.square());
-        let slope = slope.sign()?;
-        Some(match value.sign()? {
+    /// How the root compares with a point where the quadratic, and its slope, have these signs.
+    fn order_of_point(&self, value: Ordering, slope: Ordering) -> Ordering {
+        match value {
             // Between the roots.
             Ordering::Less if self.larger => Ordering::Greater,
             Ordering::Less => Ordering::Less,
@@ -83,7 +78,14 @@ impl Root {
                 (Ordering::Greater, false) => Ordering::Less,
                 _ => Ordering::Equal,
             },
-        })
+        }
+    }
+
+    /// How the root compares with `x = p / q`, `q > 0`: by the sign of the quadratic there, times `q^2`, and of its slope.
+    fn order_of_ratio(&self, p: &Expansion, q: &Expansion) -> Known<Ordering> {
+        let slope = &(&self.a * p) + &(&self.b * q);
+        let value = &(&(&self.a * &p.square()) + &(&(&self.b * p) * &(q + q))) + &(&self.c * &q.square());
+        Some(self.order_of_point(value.sign()?, slope.sign()?))
     }
 
     /// `b^2 - a c`.
@@ -105,36 +107,19 @@ impl Root {
         }
     }
 
-    /// Two roots with the same `a`: `-b1 + s1 sqrt(D1)` against `-b2 + s2 sqrt(D2)`.
+    /// Two roots with the same `a`, of the quadratics `Q1` and `Q2`. At this one, `Q1 = 0` and so `Q2 = Q2 - Q1`, which is
+    /// linear: `q t - p` with `q = 2 (b2 - b1)` and `p = c1 - c2`. Its sign there, and that of the slope `2 (a t + b2)`, are
+    /// how this root compares with the ratios `p / q` and `-b2 / a`.
     fn order_of_root(&self, other: &Self) -> Known<Ordering> {
-        let (d1, d2) = (self.discriminant(), other.discriminant());
-        // The sign of g + s1 sqrt(D1) - s2 sqrt(D2), g = b2 - b1.
-        let g = (&other.b - &self.b).sign()?;
-        let sign = |larger: bool| if larger { Ordering::Greater } else { Ordering::Less };
-        let roots = match (self.larger, other.larger) {
-            (true, true) => (&d1 - &d2).sign()?,
-            (false, false) => (&d2 - &d1).sign()?,
-            (larger, _) if d1.sign()? == Ordering::Greater || d2.sign()? == Ordering::Greater => sign(larger),
-            _ => Ordering::Equal,
+        let (half, p) = (&other.b - &self.b, &self.c - &other.c);
+        let q = &half + &half;
+        let value = match q.sign()? {
+            Ordering::Greater => self.order_of_ratio(&p, &q)?,
+            Ordering::Equal => p.sign()?.reverse(),
+            Ordering::Less => self.order_of_ratio(&-&p, &-&q)?.reverse(),
         };
-        if roots == Ordering::Equal || g == Ordering::Equal || g == roots {
-            return Some(if g == Ordering::Equal { roots } else { g });
-        }
-        // Opposite signs: which square is larger, g^2 or D1 + D2 - 2 s1 s2 sqrt(D1 D2).
-        let rest = &(&other.b - &self.b).square() - &(&d1 + &d2);
-        let four = &(&d1 * &d2) * &Expansion::from(4.0_f64);
-        let product = if self.larger == other.larger { four.clone() } else { -&four };
-        // The sign of rest + sgn(product) sqrt(|product|).
-        let (rest_sign, product_sign) = (rest.sign()?, product.sign()?);
-        let squares = if product_sign == Ordering::Equal || rest_sign == product_sign {
-            rest_sign
-        } else if rest_sign == Ordering::Equal {
-            product_sign
-        } else {
-            let larger = (&rest.square() - &four).sign()?;
-            if rest_sign == Ordering::Greater { larger } else { larger.reverse() }
-        };
-        Some(if g == Ordering::Greater { squares } else { squares.reverse() })
+        let slope = self.order_of_ratio(&-&other.b, &self.a)?;
+        Some(other.order_of_point(value, slope).reverse())
     }
 }
 
