@@ -2,9 +2,15 @@
 //!
 //! A number is a sum of `f64` that do not overlap, smallest first. Sums and products of such sums are exact as long as nothing
 //! over- or underflows. So each expansion carries a power of two of which all its parts are multiples, and one that it stays
-//! below: a product's parts, and the errors of their roundings, are multiples of the product of both units, and representable
-//! while that is at least `2^-1074`. Where a bound is passed the number is unsound, and has no sign.
-
+//! below, so that no part exceeds that either:
+//!
+//! * Sums of multiples of a unit of at least `2^-1074` never underflow.
+//! * The product of two parts, Dekker's partial products and the error are multiples of the product of the units: the error,
+//!   of at most 53 bits, is representable while that is at least `2^-1074`.
+//! * Where operands and result stay below `2^990`, splitting a part times `2^27 + 1`, and adding up to `2^33` terms that are
+//!   each no larger than `2^990`, stay below `2^1024`.
+//!
+//! Where a bound is passed the number is unsound, as is all that is made of it, and has no sign.
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -19,7 +25,7 @@ pub(super) struct Expansion {
     parts: Vec<f64>,
     /// All parts are multiples of two to this.
     unit: i32,
-    /// The number is below two to this, and every part.
+    /// The number is below two to this.
     top: i32,
     sound: bool,
 }
@@ -180,8 +186,23 @@ mod tests {
         x.parts.iter().fold(RBig::ZERO, |sum, &part| sum + RBig::try_from(part).expect("finite"))
     }
 
+    /// Any number, or one next to a power of two near 1, so that sums cancel and products end in ties.
     fn single() -> impl Strategy<Value = f32> {
-        any::<u32>().prop_map(f32::from_bits).prop_filter("finite", |x| x.is_finite())
+        let all = any::<u32>().prop_map(f32::from_bits).prop_filter("finite", |x| x.is_finite());
+        let near = (124_u32..131, 0_u32..5, any::<bool>())
+            .prop_map(|(e, ulps, minus)| f32::from_bits(u32::from(minus) << 31 | ((e << 23) + ulps - 2)));
+        prop_oneof![all, near]
+    }
+
+    /// What the module says of parts, unit and top.
+    fn is_regular(x: &Expansion) -> bool {
+        let below = |y: RBig, n: i32| y.sqr() < RBig::from(4).pow(n as isize);
+        let apart = |i: usize| {
+            let (part, smaller) =
+                (Expansion::from(x.parts[i]), Expansion { parts: x.parts[..i].to_vec(), ..x.clone() });
+            part.parts.len() == 1 && part.unit >= x.unit && below(exact(&smaller), part.unit)
+        };
+        (0..x.parts.len()).all(apart) && below(exact(x), x.top)
     }
 
     proptest! {
@@ -196,6 +217,13 @@ mod tests {
             prop_assert_eq!(product.sign(), Some(right.cmp(&RBig::ZERO)));
             let zero = &(&product - &product) + &(&a.0 - &a.0);
             prop_assert_eq!(zero.sign(), Some(Ordering::Equal));
+            let square = product.square();
+            if square.sound {
+                prop_assert_eq!(exact(&square), right.sqr());
+            }
+            for x in [product, zero, square] {
+                prop_assert!(!x.sound || is_regular(&x), "{:?}", x);
+            }
         }
     }
 

@@ -95,42 +95,45 @@ fn places_compare_as_the_rationals_do() {
     assert!(compared > 10_000 && equal > compared / 4, "{compared}, {equal} equal");
 }
 
-/// Scenes of small whole numbers, where lines meet edges, vertices, tangents and one another's ties, and planes that hold the
-/// ray; every axis scaled by its own power of two, the spheres' scenes by one, up to the ends of `f32`.
+/// A scene of small whole numbers, where lines meet edges, vertices, tangents and one another's ties, and planes hold the ray:
+/// triangles, spheres or both. Every axis is scaled by a power of two, its own where there are only triangles.
+fn small_numbers(number: u64) -> (Scene, Vec<Ray>) {
+    let mut draw = Draw::new(SEED, 201, number);
+    let (spread, kind) = ([0.0, 10.0, 40.0, 125.0][draw.below(4)], draw.below(3));
+    #[expect(clippy::cast_possible_truncation, reason = "powers of two")]
+    let powers = [0; 3].map(|_| draw.range(-spread, spread).round().exp2() as f32);
+    let scale = if kind == 0 { Vec3::from(powers) } else { Vec3::splat(powers[0]) };
+    let triangles = (0..10).map(|_| [0; 3].map(|_| [0, 1, 2, 3, 4, 5][draw.below(6)])).collect();
+    #[expect(clippy::cast_possible_truncation, reason = "small whole numbers")]
+    let mut whole = |n: f64| draw.range(-n, n + 1.0).floor() as f32;
+    let mut point = |n: f64| Vec3::new(whole(n), whole(n), whole(n));
+    let mesh = Geometry::Mesh(Mesh { vertices: (0..6).map(|_| point(2.0) * scale).collect(), triangles });
+    let sphere = |_| Sphere { center: point(2.0) * scale, radius: (point(3.0) * scale).x.abs() };
+    let spheres = Geometry::Spheres((0..6).map(sphere).collect());
+    let ray = |_| {
+        let ends = point(4.0);
+        let t_max = if ends.z > 0.0 { f32::INFINITY } else { ends.y };
+        Ray { t_min: ends.x, t_max, ..Ray::new(point(3.0) * scale, point(2.0) * scale) }
+    };
+    let rays = (0..24).map(ray).collect();
+    let geometries = match kind {
+        0 => vec![mesh],
+        1 => vec![spheres],
+        _ => vec![mesh, spheres],
+    };
+    (Scene::new(geometries), rays)
+}
+
 #[test]
 fn both_oracles_agree_on_small_whole_numbers_of_any_scale() {
-    let mut all = Agreement::default();
-    for scene in 0..1_500 {
-        let mut draw = Draw::new(SEED, 201, scene);
-        let spread = [0, 10, 40, 125][draw.below(4)];
-        let kind = draw.below(3);
-        let mut power =
-            || f64::from(i32::try_from(draw.below(2 * spread + 1)).unwrap() - i32::try_from(spread).unwrap());
-        let scale = if kind == 0 { [power(), power(), power()] } else { [power(); 3] };
-        let scale = Vec3::from(scale.map(|x| x.exp2() as f32));
-        let mut whole = |n: f64| draw.range(-n, n + 1.0).floor() as f32;
-        let mut point = |n: f64| Vec3::new(whole(n), whole(n), whole(n));
-        let vertices: Vec<Vec3> = (0..6).map(|_| point(2.0) * scale).collect();
-        let spheres =
-            (0..6).map(|_| Sphere { center: point(2.0) * scale, radius: (point(3.0) * scale).x.abs() }).collect();
-        let rays: Vec<Ray> = (0..24)
-            .map(|_| {
-                let (range, open) = (point(4.0), point(1.0).x > 0.0);
-                let t_max = if open { f32::INFINITY } else { range.y };
-                Ray { t_min: range.x, t_max, ..Ray::new(point(3.0) * scale, point(2.0) * scale) }
-            })
-            .collect();
-        let mut corner = || u32::try_from(draw.below(6)).unwrap();
-        let triangles = (0..10).map(|_| [corner(), corner(), corner()]).collect();
-        let mesh = Geometry::Mesh(Mesh { vertices, triangles });
-        let geometries = match kind {
-            0 => vec![mesh],
-            1 => vec![Geometry::Spheres(spheres)],
-            _ => vec![mesh, Geometry::Spheres(spheres)],
-        };
-        all = all.with(compare(&Scene::new(geometries), &rays));
+    let (mut all, mut hits) = (Agreement::default(), 0);
+    for number in 0..2_000 {
+        let (scene, rays) = small_numbers(number);
+        let second = SecondOracle::new(&scene);
+        hits += rays.iter().filter_map(|ray| second.answer(ray)).filter(|answer| answer.hit != Hit::MISS).count();
+        all = all.with(compare(&scene, &rays));
     }
-    println!("{} compared, {} beyond", all.compared, all.beyond);
+    println!("{} compared, {hits} hit, {} beyond", all.compared, all.beyond);
     assert_eq!(all.disagreed, 0, "{}", all.first.unwrap_or_default());
-    assert!(all.compared > 30_000, "{all:?}");
+    assert!(all.compared > 45_000 && hits > 10_000, "{all:?}, {hits} hit");
 }
