@@ -69,12 +69,11 @@ impl<'s> SecondOracle<'s> {
                 match self.scene.primitive(flat) {
                     Primitive::Triangle(triangle) if !reject::misses_triangle(ray, &triangle) => {
                         let Some(plane) = PlaneHit::new(&line, &triangle)? else { continue };
-                        if (plane.inside || plane.crosses) && holds(ray, &plane.t)? {
+                        // What the shifted line crosses, the line itself meets.
+                        if plane.inside && holds(ray, &plane.t)? {
                             count += u32::from(plane.crosses);
-                            if plane.inside {
-                                let [u, v] = [weight(&plane.u)?, weight(&plane.v)?];
-                                closest = nearer(closest, plane.t, Hit { t: 0.0, u, v, primitive: number })?;
-                            }
+                            let [u, v] = [weight(&plane.u)?, weight(&plane.v)?];
+                            closest = nearer(closest, plane.t, Hit { t: 0.0, u, v, primitive: number })?;
                         }
                     }
                     Primitive::Sphere(sphere) if !reject::misses_sphere(ray, &sphere) => {

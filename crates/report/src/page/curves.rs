@@ -1,6 +1,6 @@
 //! Error against distance, and wrong verdicts against the margin.
 
-use super::svg::{Drawing, Scale, spread, style};
+use super::svg::{Drawing, Scale, ink, spread, style};
 use crate::model::{DistanceCurve, MarginCurve, Rate, Report};
 
 const WIDTH: f64 = 1180.0;
@@ -91,13 +91,18 @@ fn rates(drawing: &mut Drawing, curves: &[(&str, Vec<(f64, Rate)>)], x: &Scale, 
         };
         let line: Vec<(f64, f64)> = points.iter().map(place).collect();
         drawing.path(&line, color, &format!("stroke-width=\"{width}\" stroke-dasharray=\"{dash}\""));
-        if let Some(&(end, at)) = line.last() {
-            ends.push((end, at, color, (*method).to_owned()));
+        // Where it falls to none, a curve is told apart best; else at its end.
+        let fall = points.iter().rposition(|(_, rate)| rate.count > 0).filter(|&i| i + 1 < points.len());
+        if let Some(&(end, at)) = fall.map_or(line.last(), |i| line.get(i)) {
+            ends.push((if fall.is_some() { end } else { right }, at, color, (*method).to_owned()));
         }
     }
-    let wanted: Vec<f64> = ends.iter().map(|(_, at, ..)| at + 4.0).collect();
-    for ((_, _, color, method), at) in ends.iter().zip(spread(&wanted, 14.0, top + 8.0, bottom + 4.0)) {
-        drawing.text(right + 8.0, at, "start", color, method);
+    let (inner, outer): (Vec<_>, Vec<_>) = ends.into_iter().partition(|(x, ..)| *x < right);
+    for group in [inner, outer] {
+        let wanted: Vec<f64> = group.iter().map(|(_, at, ..)| at + 4.0).collect();
+        for ((end, _, color, method), at) in group.iter().zip(spread(&wanted, 14.0, top + 8.0, bottom + 4.0)) {
+            drawing.text(end + 8.0, at, "start", ink(color), method);
+        }
     }
 }
 
@@ -109,6 +114,6 @@ fn ticks(x: &Scale) -> Vec<(f64, String)> {
 fn names(drawing: &mut Drawing, ends: &[(f64, &'static str, String)], top: f64, bottom: f64) {
     let wanted: Vec<f64> = ends.iter().map(|(at, ..)| at + 4.0).collect();
     for ((_, color, method), at) in ends.iter().zip(spread(&wanted, 14.0, top + 8.0, bottom)) {
-        drawing.text(WIDTH - 112.0, at, "start", color, method);
+        drawing.text(WIDTH - 112.0, at, "start", ink(color), method);
     }
 }

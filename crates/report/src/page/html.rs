@@ -48,7 +48,7 @@ fn plots(out: &mut String, reports: &[Report]) {
     a whisker up to the worst. \
                 Below: the share of misclassified rays; where none was, the mark lies on the floor and the \
                 whisker reaches the 95 % bound. \
-                The grey steps join the points that no other beats in both. Left and down is better.";
+                The grey steps join the points of a device that none of its others beats in both. Left and down is better.";
     paragraphs(out, &[note.to_owned()]);
     figure(out, &pareto::plot(reports, Speed::Test));
     let more = "The same against rays a second: right and down is better. On 64 primitives a tree saves little; \
@@ -87,6 +87,7 @@ fn rest(out: &mut String, report: &Report) {
     folded(out, &sections::invariants(report));
     section(out, &sections::scenes(report));
     section(out, &sections::peers(report));
+    section(out, &sections::devices(report));
     section(out, &sections::arithmetic(report));
     section(out, &sections::rules(report));
 }

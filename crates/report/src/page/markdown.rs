@@ -23,6 +23,7 @@ pub(crate) fn markdown(reports: &[Report]) -> String {
             sections::invariants,
             sections::scenes,
             sections::peers,
+            sections::devices,
             sections::arithmetic,
             sections::rules,
         ] {

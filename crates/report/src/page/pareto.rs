@@ -2,7 +2,7 @@
 
 use super::format::number;
 use super::sections::labelled;
-use super::svg::{Area, Drawing, Scale, style};
+use super::svg::{Area, Drawing, Scale, ink, style};
 use crate::model::{Panel, Point, Report};
 
 /// What stands on the horizontal axis.
@@ -115,7 +115,7 @@ fn shown_rate(point: &Point) -> f64 {
 
 /// Upper axes: a mark at the 99.9th percentile, a whisker up to the worst.
 fn errors(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale, y: &Scale) {
-    let mut taken = front(drawing, points, speed, x, y, |p| p.errors.t.p999);
+    let mut taken = fronts(drawing, points, speed, x, |p| p.errors.t.p999, |p| y.place(p.errors.t.p999));
     let mut labels = Vec::new();
     for Placed { point, device } in points {
         let (color, ..) = style(&point.method);
@@ -131,8 +131,16 @@ fn errors(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale,
 
 /// Lower axes: a filled mark at the share of wrong verdicts; where there is none, a whisker down from the bound.
 fn verdicts(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale, y: &Scale) {
-    let mut taken = front(drawing, points, speed, x, y, shown_rate);
     let bottom = y.place(0.0);
+    let none = |p: &Point| p.errors.wrong.count == 0;
+    let mut taken = fronts(
+        drawing,
+        points,
+        speed,
+        x,
+        |p| if none(p) { 0.0 } else { shown_rate(p) },
+        |p| if none(p) { bottom - 6.0 } else { y.place(shown_rate(p)) },
+    );
     let mut labels = Vec::new();
     for Placed { point, device } in points {
         let (color, ..) = style(&point.method);
@@ -153,67 +161,63 @@ fn verdicts(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scal
     label(drawing, &labels, taken, y, x);
 }
 
-/// The points that none beats in both, joined by steps; returned is where the steps run.
-fn front(
+/// The points of each device that none of its others beats in both, joined by steps; returned is where the steps run. `error`
+/// ranks, `place` draws.
+fn fronts(
     drawing: &mut Drawing,
     points: &[Placed<'_>],
     speed: Speed,
     x: &Scale,
-    y: &Scale,
     error: impl Fn(&Point) -> f64,
+    place: impl Fn(&Point) -> f64,
 ) -> Vec<Area> {
     let cost = |p: &Point| if speed == Speed::Test { speed.of(p) } else { -speed.of(p) };
-    let mut all: Vec<&Point> = points.iter().map(|p| p.point).collect();
-    all.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(error(a).total_cmp(&error(b))));
-    let mut best: Option<f64> = None;
-    let mut path: Vec<(f64, f64)> = Vec::new();
-    for point in all {
-        if best.is_none_or(|best| error(point) < best) {
-            let (px, py) = (x.place(speed.of(point)), y.place(error(point)));
-            if let Some(&(_, before)) = path.last() {
-                path.push((px, before));
+    let devices = points.iter().map(|p| p.device + 1).max().unwrap_or(0);
+    let mut taken = Vec::new();
+    for device in 0..devices {
+        let mut own: Vec<&Point> = points.iter().filter(|p| p.device == device).map(|p| p.point).collect();
+        own.sort_by(|a, b| cost(a).total_cmp(&cost(b)).then(error(a).total_cmp(&error(b))));
+        let mut best: Option<f64> = None;
+        let mut path: Vec<(f64, f64)> = Vec::new();
+        for point in own {
+            if best.is_none_or(|best| error(point) < best) {
+                let (px, py) = (x.place(speed.of(point)), place(point));
+                if let Some(&(_, before)) = path.last() {
+                    path.push((px, before));
+                }
+                path.push((px, py));
+                best = Some(error(point));
             }
-            path.push((px, py));
-            best = Some(error(point));
         }
+        drawing.path(&path, "#9aa7b4", "stroke-width=\"2.5\" stroke-opacity=\"0.6\"");
+        taken.extend(path.windows(2).map(|w| Area::between(w[0], w[1], 1.5)));
     }
-    drawing.path(&path, "#9aa7b4", "stroke-width=\"3\" stroke-opacity=\"0.6\"");
-    let between = |w: &[(f64, f64)]| Area {
-        left: w[0].0.min(w[1].0) - 1.5,
-        right: w[0].0.max(w[1].0) + 1.5,
-        top: w[0].1.min(w[1].1) - 1.5,
-        bottom: w[0].1.max(w[1].1) + 1.5,
-    };
-    path.windows(2).map(between).collect()
+    taken
 }
 
 /// Names beside their marks: each at the nearest place where it covers no mark, no other name and no frame.
-fn label(
-    drawing: &mut Drawing,
-    labels: &[(f64, f64, &'static str, String)],
-    mut taken: Vec<Area>,
-    y: &Scale,
-    x: &Scale,
-) {
+fn label(drawing: &mut Drawing, labels: &[(f64, f64, &'static str, String)], lines: Vec<Area>, y: &Scale, x: &Scale) {
     let frame =
         Area { left: x.place(0.0), right: x.place(f64::INFINITY), top: y.place(f64::INFINITY), bottom: y.place(0.0) };
-    taken.extend(labels.iter().map(|&(px, py, ..)| Area::around(px, py, 6.0)));
+    let mut taken: Vec<Area> = labels.iter().map(|&(px, py, ..)| Area::around(px, py, 6.0)).collect();
     for (px, py, color, text) in labels {
         let width = 7.4 * text.chars().count() as f64;
-        let places = (0..12).flat_map(|k| {
+        let places = (0..18).flat_map(|k| {
             let dy = f64::from((k + 1) / 2 * 14) * if k % 2 == 0 { 1.0 } else { -1.0 };
             [(px + 11.0, py + dy), (px - 11.0 - width, py + dy)]
         });
         let areas =
             places.map(|(left, middle)| Area { left, right: left + width, top: middle - 7.0, bottom: middle + 7.0 });
         let free = |area: &Area| area.is_within(&frame) && !taken.iter().any(|other| other.meets(area));
-        let Some(area) = areas.into_iter().find(free) else { continue };
+        let clear = |area: &Area| free(area) && !lines.iter().any(|other| other.meets(area));
+        // Rather across a line than nowhere.
+        let Some(area) = areas.clone().find(clear).or_else(|| areas.clone().find(free)) else { continue };
         let middle = (area.top + area.bottom) / 2.0;
         if (middle - py).abs() > 15.0 {
             let end = if area.left > *px { area.left } else { area.right };
             drawing.line([*px, *py, end, middle], color, "stroke-width=\"0.7\"");
         }
-        drawing.text(area.left, middle + 4.5, "start", color, text);
+        drawing.text(area.left, middle + 4.5, "start", ink(color), text);
         taken.push(area);
     }
 }

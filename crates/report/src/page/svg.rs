@@ -17,6 +17,17 @@ pub(crate) fn style(method: &str) -> (&'static str, &'static str, f64) {
     }
 }
 
+/// A method's colour for text, dark enough to read.
+pub(crate) fn ink(color: &'static str) -> &'static str {
+    match color {
+        "#e69f00" => "#946200",
+        "#cc79a7" => "#9c4a77",
+        "#d55e00" => "#b34e00",
+        "#009e73" => "#00795a",
+        other => other,
+    }
+}
+
 /// A logarithmic scale from values to places.
 #[derive(Clone, Copy)]
 pub(crate) struct Scale {
@@ -190,6 +201,11 @@ pub(crate) struct Area {
 impl Area {
     pub(crate) fn around(x: f64, y: f64, r: f64) -> Self {
         Self { left: x - r, right: x + r, top: y - r, bottom: y + r }
+    }
+
+    /// The box around two points, that much larger.
+    pub(crate) fn between((x1, y1): (f64, f64), (x2, y2): (f64, f64), more: f64) -> Self {
+        Self { left: x1.min(x2) - more, right: x1.max(x2) + more, top: y1.min(y2) - more, bottom: y1.max(y2) + more }
     }
 
     pub(crate) fn meets(&self, other: &Self) -> bool {

@@ -118,6 +118,14 @@ pub(crate) fn against(report: &Report) -> Section {
     Section::new("Against peers", &[&text], table)
 }
 
+pub(crate) fn devices(report: &Report) -> Section {
+    let mut table = Table::new(4, ["device", "driver", "kind", "notes"]);
+    for d in &report.devices {
+        table.row([d.name.clone(), d.driver.clone(), d.kind.clone(), d.notes.join("; ")]);
+    }
+    Section::new("Devices", &[], table)
+}
+
 pub(crate) fn arithmetic(report: &Report) -> Section {
     let operations: Vec<String> = report
         .devices

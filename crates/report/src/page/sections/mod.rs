@@ -4,7 +4,7 @@ mod evidence;
 mod families;
 mod summary;
 
-pub(crate) use evidence::{against, arithmetic, invariants, leaks, peers, rules, scenes};
+pub(crate) use evidence::{against, arithmetic, devices, invariants, leaks, peers, rules, scenes};
 pub(crate) use families::{family, matrix};
 pub(crate) use summary::{points, summary};
 
