@@ -134,7 +134,7 @@ fn advice(report: &Report, k: usize) -> Vec<String> {
             String::new()
         };
         all.push(format!(
-            "On {} a test by exact takes {} times as long as by fast on these spheres, and {} on these triangles{scenes}.",
+            "{}: a test by exact takes {} times as long as by fast on these spheres, and {} on these triangles{scenes}.",
             labelled(report, k, i),
             timing(&sphere.of_fast),
             timing(&triangle.of_fast)
