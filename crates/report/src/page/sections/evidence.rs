@@ -70,7 +70,7 @@ pub(crate) fn scenes(report: &Report) -> Section {
 }
 
 pub(crate) fn peers(report: &Report) -> Section {
-    let mut table = Table::new(3, ["peer", "version", "measured", "how, or why not"]);
+    let mut table = Table::new(4, ["peer", "version", "measured", "how, or why not"]);
     for p in &report.peers {
         let measured = if p.measured { "yes" } else { "not measured" };
         table.row([p.name.clone(), p.version.clone(), measured.to_owned(), p.note.clone()]);
