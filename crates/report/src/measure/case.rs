@@ -10,6 +10,9 @@ use super::tally::{Place, Tally};
 use super::truth::Truth;
 use crate::model::{Case, Errors};
 
+/// Primitives that a case may have.
+const MOST: usize = 256;
+
 /// A scene, its rays and their exact answers: what places refer to.
 pub(crate) struct Asked {
     pub(crate) scene: Scene,
@@ -40,18 +43,36 @@ fn case(
     ulp: Option<f64>,
 ) -> Result<Case, Error> {
     let (ray, truth) = (asked.rays[ray], &asked.truth[ray]);
-    let involved = involved(&asked.scene, [truth.hit, answer]);
-    let small = Scene::new(involved.iter().map(|&(_, primitive)| alone(primitive)).collect());
+    let answers = [truth.hit, answer];
+    let small = alone(bench, subject, &ray, answers, &involved(&asked.scene, answers), ulp)?;
+    if small.replays || asked.scene.len() > MOST {
+        return Ok(small);
+    }
+    // A scene's size decides by how much it is scaled, which tells where parts of numbers underflow.
+    let all: Vec<_> = (0..).zip((0..asked.scene.len()).map(|flat| asked.scene.primitive(flat))).collect();
+    alone(bench, subject, &ray, answers, &all, ulp)
+}
+
+/// The case of these primitives alone, each with its flat number.
+fn alone(
+    bench: &Bench<'_>,
+    subject: Subject,
+    ray: &Ray,
+    answers: [Hit; 2],
+    primitives: &[(u32, Primitive)],
+    ulp: Option<f64>,
+) -> Result<Case, Error> {
+    let small = Scene::new(primitives.iter().map(|&(_, primitive)| geometry(primitive)).collect());
     let renumbered = |hit: Hit| {
-        let place = involved.iter().position(|&(flat, _)| flat == hit.primitive);
+        let place = primitives.iter().position(|&(flat, _)| flat == hit.primitive);
         Hit { primitive: place.and_then(|i| u32::try_from(i).ok()).unwrap_or(hit.primitive), ..hit }
     };
-    let (exact, answer) = (renumbered(truth.hit), renumbered(answer));
+    let [exact, answer] = answers.map(renumbered);
     let mut again = [Hit::MISS];
-    bench.ready(subject, &small, Walk::Tree)?.closest(&[ray], &mut again)?;
+    bench.ready(subject, &small, Walk::Tree)?.closest(&[*ray], &mut again)?;
     Ok(Case {
-        scene: scene_file(&involved),
-        rays: ray_file(&ray),
+        scene: scene_file(primitives),
+        rays: ray_file(ray),
         exact: in_words(&exact),
         answer: in_words(&answer),
         ulp,
@@ -71,7 +92,7 @@ fn involved(scene: &Scene, answers: [Hit; 2]) -> Vec<(u32, Primitive)> {
     flat.into_iter().map(|flat| (flat, scene.primitive(flat as usize))).collect()
 }
 
-fn alone(primitive: Primitive) -> Geometry {
+fn geometry(primitive: Primitive) -> Geometry {
     match primitive {
         Primitive::Sphere(sphere) => Geometry::Spheres(vec![sphere]),
         Primitive::Triangle(t) => Geometry::Mesh(Mesh { vertices: vec![t.a, t.b, t.c], triangles: vec![[0, 1, 2]] }),

@@ -151,7 +151,7 @@ fn details(out: &mut String, report: &Report, family: &Family) {
 /// A case as commands to paste.
 fn show(out: &mut String, method: &str, what: &str, case: &Case) {
     let off = case.ulp.map_or(String::new(), |ulp| format!(", off by {} ULP", number(ulp)));
-    let replays = if case.replays { "" } else { " (alone it answers otherwise: the other primitives matter)" };
+    let replays = if case.replays { "" } else { " (alone it answers otherwise: a larger scene is scaled by its size)" };
     let _ = writeln!(
         out,
         "<p>{method}, {what}: exact is {}; the answer {}{off}{replays}</p>\n<pre>cat &gt; case.toml \
