@@ -30,7 +30,7 @@ pub(crate) fn run(args: &Report) -> Result<(), Failure> {
         let order = order(args)?;
         make_folder()?;
         let peers = args.peers.as_deref().map(|folder| peers(folder, args.quiet));
-        vec![measure::measure(&Order { peers, ..order }, &engines, &mut Bar::new(args.quiet))?]
+        vec![measure::measure(Order { peers, ..order }, &engines, &mut Bar::new(args.quiet))?]
     } else {
         args.from.iter().map(|path| read(path)).collect::<Result<_, _>>()?
     };

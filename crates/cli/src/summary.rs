@@ -5,6 +5,7 @@ use std::path::Path;
 
 use rayproof::DeviceInfo;
 use rayproof::scene::{self, Scene};
+pub(crate) use rayproof_report::page::count as grouped;
 use serde::Serialize;
 
 /// The object that `--json` prints. Its names are a contract.
@@ -145,19 +146,6 @@ fn device(name: &str, driver: &str, notes: &[String]) -> String {
     let mut text = format!("device  {name}; driver {driver}\n");
     for note in notes {
         let _ = writeln!(text, "note    {note}");
-    }
-    text
-}
-
-/// `1234567` as `1,234,567`.
-pub(crate) fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
     }
     text
 }

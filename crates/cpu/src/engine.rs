@@ -31,13 +31,13 @@ pub struct Engine {
 
 /// Calls a method for the formulas of a tier in single precision.
 macro_rules! by_formulas {
-    ($tier:expr, $self:ident.$method:ident::<_ $(, $any:literal)?>($($argument:expr),*)) => {
+    ($tier:expr, $self:ident.$method:ident($($argument:expr),*)) => {
         match $tier {
-            Tier::Textbook => $self.$method::<Textbook $(, $any)?>($($argument),*),
-            Tier::Classic => $self.$method::<Classic $(, $any)?>($($argument),*),
-            Tier::Fast | Tier::Exact => $self.$method::<Fast $(, $any)?>($($argument),*),
-            Tier::Pair => $self.$method::<Pair $(, $any)?>($($argument),*),
-            Tier::Double => $self.$method::<Double $(, $any)?>($($argument),*),
+            Tier::Textbook => $self.$method::<Textbook>($($argument),*),
+            Tier::Classic => $self.$method::<Classic>($($argument),*),
+            Tier::Fast | Tier::Exact => $self.$method::<Fast>($($argument),*),
+            Tier::Pair => $self.$method::<Pair>($($argument),*),
+            Tier::Double => $self.$method::<Double>($($argument),*),
         }
     };
 }
@@ -81,7 +81,7 @@ impl Engine {
     /// When `rays` and `hits` differ in length.
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Undecided {
         if self.tier != Tier::Exact {
-            return by_formulas!(self.tier, self.closest_by::<_>(rays, hits));
+            return by_formulas!(self.tier, self.closest_by(rays, hits));
         }
         self.batch(
             rays,
@@ -103,7 +103,7 @@ impl Engine {
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Undecided {
         if self.tier != Tier::Exact {
-            return by_formulas!(self.tier, self.any_by::<_>(rays, hits));
+            return by_formulas!(self.tier, self.any_by(rays, hits));
         }
         self.batch(
             rays,
@@ -120,7 +120,7 @@ impl Engine {
     /// # Panics
     /// When `rays` and `claims` differ in length.
     pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) {
-        by_formulas!(self.tier, self.claims_by::<_>(rays, claims));
+        by_formulas!(self.tier, self.claims_by(rays, claims));
     }
 
     /// How often each ray crosses the surface, exactly, whatever the tier: through a shared edge or vertex of a closed mesh

@@ -37,4 +37,4 @@ mod tests;
 
 pub use oracle::{ExactHit, Oracle};
 pub use root::Root;
-pub use second::{Agreement, SecondAnswer, SecondOracle, compare};
+pub use second::{Agreement, SecondAnswer, SecondOracle, compare, compare_hits};

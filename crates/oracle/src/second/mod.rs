@@ -116,17 +116,26 @@ fn nearer(before: Option<Closest>, t: Place, hit: Hit) -> Known<Option<Closest>>
 /// Asks both oracles about every ray.
 #[must_use]
 pub fn compare(scene: &Scene, rays: &[Ray]) -> Agreement {
+    let closest = |oracle: &Oracle, ray: &Ray| oracle.closest(ray).as_ref().map_or(Hit::MISS, ExactHit::to_hit);
+    compare_hits(scene, rays, &Oracle::new(scene).batch(rays, closest))
+}
+
+/// The same where the first oracle's closest hits, rounded, are known.
+///
+/// # Panics
+/// When `rays` and `hits` differ in length.
+#[must_use]
+pub fn compare_hits(scene: &Scene, rays: &[Ray], hits: &[Hit]) -> Agreement {
+    assert_eq!(rays.len(), hits.len(), "one hit a ray");
     let (first, second) = (Oracle::new(scene), SecondOracle::new(scene));
-    let one = |ray: &Ray| {
-        let exact = first.closest(ray).as_ref().map_or(Hit::MISS, ExactHit::to_hit);
-        judge(ray, exact, first.count(ray), second.answer(ray))
-    };
-    rays.par_iter().map(one).reduce(Agreement::default, Agreement::with)
+    let one = |(ray, hit): (&Ray, &Hit)| judge(ray, *hit, first.count(ray), second.answer(ray));
+    rays.par_iter().zip(hits).map(one).reduce(Agreement::default, Agreement::with)
 }
 
 impl Agreement {
     /// Both of two.
-    fn with(self, other: Self) -> Self {
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
         Self {
             compared: self.compared + other.compared,
             disagreed: self.disagreed + other.disagreed,

@@ -25,6 +25,13 @@ impl Asked {
         let truth = Truth::of(&scene, &rays);
         Self { scene, rays, truth }
     }
+
+    /// Answers to these rays alone.
+    pub(crate) fn tally(&self, hits: &[Hit]) -> Tally {
+        let mut tally = Tally::default();
+        tally.add(0, &self.scene, &self.rays, &self.truth, hits);
+        tally
+    }
 }
 
 /// A tally's errors, with its worst ray and its first wrong one as cases.

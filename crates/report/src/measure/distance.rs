@@ -4,9 +4,7 @@ use glam::Vec3;
 use rayproof::scene::{Geometry, Ray, Scene, Sphere};
 use rayproof_oracle::families::Draw;
 
-use super::case::Asked;
 use super::plan::Progress;
-use super::tally::Tally;
 use super::{Error, Run};
 use crate::model::{DistanceCurve, DistancePoint};
 
@@ -21,13 +19,10 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     let mut curves: Vec<DistanceCurve> = run.bench.subjects.iter().map(curve).collect();
     for (i, &distance) in distances.iter().enumerate() {
         let (scene, rays) = workload(run.plan.seed, i, distance, run.plan.distance);
-        run.agree(&scene, &rays);
-        let asked = Asked::new(scene, rays);
+        let asked = run.ask(scene, rays);
         for (subject, curve) in run.bench.subjects.iter().zip(&mut curves) {
             let hits = run.bench.closest(*subject, &asked.scene, &asked.rays)?;
-            let mut tally = Tally::default();
-            tally.add(0, &asked.scene, &asked.rays, &asked.truth, &hits);
-            let errors = tally.errors();
+            let errors = asked.tally(&hits).errors();
             curve.points.push(DistancePoint { distance, t: errors.t, wrong: errors.wrong });
         }
         progress.step();

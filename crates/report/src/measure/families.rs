@@ -22,10 +22,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
 
 fn one(run: &mut Run<'_>, family: &families::Family) -> Result<Family, Error> {
     let cases = family.cases(run.plan.seed, run.plan.family);
-    let asked: Vec<Asked> = cases.into_iter().map(|case| Asked::new(case.scene, case.rays)).collect();
-    for asked in &asked {
-        run.agree(&asked.scene, &asked.rays);
-    }
+    let asked: Vec<Asked> = cases.into_iter().map(|case| run.ask(case.scene, case.rays)).collect();
     let mut undecided = Undecided::default();
     let mut rows = Vec::new();
     let mut first_hits: Vec<(Precision, Vec<Vec<Hit>>)> = Vec::new();

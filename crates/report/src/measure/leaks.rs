@@ -33,7 +33,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     let mut rows = Vec::new();
     for (number, (name, mesh)) in closed.into_iter().enumerate() {
         let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]);
-        let mut peers = run.rivals.mesh(&scene).map(|mesh| run.rivals.on(mesh)).unwrap_or_default();
+        let mut peers = run.rivals.on(&scene);
         for target in TARGETS {
             let rays = aimed(&mesh, target, run.plan.leak, &mut Draw::new(run.plan.seed, 103, number as u64));
             let place = (name, mesh.triangles.len() as u64, target);
@@ -53,7 +53,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
 /// How often each ray crosses: by the oracle; on a fine mesh, where brute force takes hours, by the tier exact.
 fn crossings(run: &mut Run<'_>, scene: &Scene, rays: &[Ray]) -> Result<Vec<u32>, Error> {
     if scene.len() <= BRUTE_FORCE {
-        run.agree(scene, rays);
+        run.add(rayproof_oracle::compare(scene, rays));
         return Ok(Oracle::new(scene).batch(rays, Oracle::count));
     }
     let mut counts = vec![0; rays.len()];

@@ -27,8 +27,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     let mut curves = Vec::new();
     for (primitive, make) in [("sphere", spheres as fn(&mut Draw, usize) -> Margins), ("triangle", triangles)] {
         let Margins { scene, rays, margins } = make(&mut Draw::new(run.plan.seed, 102, 0), run.plan.margin);
-        run.agree(&scene, &rays);
-        let asked = Asked::new(scene, rays);
+        let asked = run.ask(scene, rays);
         for subject in run.bench.subjects_on(primitive == "sphere") {
             let hits = run.bench.closest(subject, &asked.scene, &asked.rays)?;
             curves.push(curve(primitive, subject, &asked, &hits, &margins));

@@ -22,13 +22,16 @@ mod workloads;
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use rayproof::scene::{Ray, Scene};
+use rayproof::scene::{Hit, Ray, Scene};
 use rayproof::{Device, DeviceChoice};
 
 pub use plan::{Plan, Progress};
 pub use rivals::Peers;
 pub use scenes::Named;
 pub use subject::{Answers, Make, Walk, engines};
+
+use case::Asked;
+use rayproof_oracle::Agreement;
 
 use crate::model::{Oracles, Report, SCHEMA};
 use rivals::Rivals;
@@ -61,17 +64,21 @@ pub struct Order {
 struct Run<'m> {
     plan: Plan,
     bench: Bench<'m>,
-    oracles: Oracles,
+    agreement: Agreement,
     rivals: Rivals,
 }
 
 impl Run<'_> {
     /// Asks both oracles about these rays.
-    fn agree(&mut self, scene: &Scene, rays: &[Ray]) {
-        let found = rayproof_oracle::compare(scene, rays);
-        self.oracles.compared += found.compared;
-        self.oracles.disagreed += found.disagreed;
-        self.oracles.beyond += found.beyond;
+    fn ask(&mut self, scene: Scene, rays: Vec<Ray>) -> Asked {
+        let asked = Asked::new(scene, rays);
+        let hits: Vec<Hit> = asked.truth.iter().map(|truth| truth.hit).collect();
+        self.add(rayproof_oracle::compare_hits(&asked.scene, &asked.rays, &hits));
+        asked
+    }
+
+    fn add(&mut self, found: Agreement) {
+        self.agreement = std::mem::take(&mut self.agreement).with(found);
     }
 }
 
@@ -79,13 +86,13 @@ impl Run<'_> {
 ///
 /// # Errors
 /// When a device is not there, cannot hold a scene, or fails.
-pub fn measure(order: &Order, make: &Make<'_>, progress: &mut dyn Progress) -> Result<Report, Error> {
+pub fn measure(order: Order, make: &Make<'_>, progress: &mut dyn Progress) -> Result<Report, Error> {
     let devices = order.devices.iter().map(Device::open).collect::<Result<Vec<_>, _>>()?;
     let mut run = Run {
         plan: order.plan,
         bench: Bench::new(devices, make),
-        oracles: Oracles::default(),
-        rivals: Rivals::new(order.peers.clone()),
+        agreement: Agreement::default(),
+        rivals: Rivals::new(order.peers),
     };
     let described = order.devices.iter().zip(&run.bench.devices);
     let devices = described.map(|(choice, device)| devices::describe(&run, choice, device, progress));
@@ -97,8 +104,9 @@ pub fn measure(order: &Order, make: &Make<'_>, progress: &mut dyn Progress) -> R
     let leaks = leaks::measure(&mut run, progress)?;
     let invariants = invariants::measure(&mut run, progress)?;
     let mut scenes = scenes::made(&run);
-    scenes.extend(order.scenes.iter().map(|named| Named { name: named.name.clone(), scene: named.scene.clone() }));
+    scenes.extend(order.scenes);
     let scenes = scenes::measure(&mut run, &scenes, progress)?;
+    let Agreement { compared, disagreed, beyond, .. } = run.agreement;
     Ok(Report {
         schema: SCHEMA,
         rayproof: env!("CARGO_PKG_VERSION").to_owned(),
@@ -108,7 +116,7 @@ pub fn measure(order: &Order, make: &Make<'_>, progress: &mut dyn Progress) -> R
         processor: processor(),
         methods: subject::methods(),
         devices,
-        oracles: run.oracles,
+        oracles: Oracles { compared, disagreed, beyond },
         panels,
         distance,
         margins,

@@ -2,10 +2,9 @@
 
 use rayproof::scene::{Hit, Ray, Scene};
 
-use super::case::{Asked, errors};
+use super::case::errors;
 use super::plan::Progress;
 use super::subject::{Answers, Subject, Walk, fast_of};
-use super::tally::Tally;
 use super::timing::{Times, times_of};
 use super::workloads::{self, PRIMITIVES, Workload};
 use super::{Error, Run};
@@ -23,17 +22,15 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
 
 fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel, Error> {
     let (scene, rays) = workload.make(run.plan.seed, number, run.plan.panel);
-    run.agree(&scene, &rays);
     let subjects = run.bench.subjects_on(workload.primitive == "sphere");
     let every = times(run, &subjects, &scene, &rays, Walk::Every)?;
     let tree = times(run, &subjects, &scene, &rays, Walk::Tree)?;
-    let asked = [Asked::new(scene, rays)];
+    let asked = [run.ask(scene, rays)];
     let mut points = Vec::new();
     for (i, (&subject, tree)) in subjects.iter().zip(&tree).enumerate() {
         let (own, fast) = (&every[i], &every[fast_of(&subjects, subject)]);
         let hits: Vec<Hit> = run.bench.closest(subject, &asked[0].scene, &asked[0].rays)?;
-        let mut tally = Tally::default();
-        tally.add(0, &asked[0].scene, &asked[0].rays, &asked[0].truth, &hits);
+        let tally = asked[0].tally(&hits);
         let rays = asked[0].rays.len() as f64;
         let ns = |seconds: f64| seconds * 1e9 / (rays * PRIMITIVES as f64);
         points.push(Point {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use rayproof::scene::{Geometry, Mesh, Scene};
+use rayproof::scene::{Geometry, Scene};
 use rayproof_gpu::Selector;
 
 use crate::model;
@@ -40,9 +40,9 @@ impl Rivals {
         self.asked.is_some()
     }
 
-    /// The peers that can be asked about a mesh.
-    pub(crate) fn on(&mut self, mesh: &Mesh) -> Vec<Box<dyn Adaptor>> {
-        let Some(peers) = self.asked.clone() else { return Vec::new() };
+    /// The peers that can be asked about a scene: they take one mesh.
+    pub(crate) fn on(&mut self, scene: &Scene) -> Vec<Box<dyn Adaptor>> {
+        let (Some(peers), [Geometry::Mesh(mesh)]) = (self.asked.clone(), scene.geometries()) else { return Vec::new() };
         let mut all = rust_peers(mesh);
         all.extend(match &peers.python {
             Ok(venv) => python_peers(mesh, venv),
@@ -51,14 +51,6 @@ impl Rivals {
         // On a software adapter it is a peer in name only.
         all.push(ray_query_peer(mesh, &Selector::Hardware));
         all.into_iter().filter_map(|contestant| self.take(contestant)).collect()
-    }
-
-    /// The mesh that a scene is, where it is one and peers are asked for.
-    pub(crate) fn mesh<'s>(&self, scene: &'s Scene) -> Option<&'s Mesh> {
-        match scene.geometries() {
-            [Geometry::Mesh(mesh)] if self.asked.is_some() => Some(mesh),
-            _ => None,
-        }
     }
 
     fn take(&mut self, contestant: crate::peers::Contestant) -> Option<Box<dyn Adaptor>> {

@@ -5,11 +5,10 @@ use rayproof::scene::{Camera, Geometry, Hit, Primitive, Ray, Scene, Sphere};
 use rayproof::{Device, DeviceChoice, Intersector, Precision};
 use rayproof_oracle::families::{Draw, meshes};
 
-use super::case::{Asked, errors};
+use super::case::errors;
 use super::plan::Progress;
 use super::statistics::timing;
 use super::subject::{Answers, Subject, Walk, fast_of};
-use super::tally::Tally;
 use super::timing::{Timed, Times, interleaved};
 use super::{Error, Run};
 use crate::model::{Errors, SceneEntry, SceneRow, Timing};
@@ -84,19 +83,24 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
         .iter()
         .map(|&s| run.bench.ready(s, scene, Walk::Tree))
         .collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
-    let mut peers = run.rivals.mesh(scene).map(|mesh| run.rivals.on(mesh)).unwrap_or_default();
+    let mut peers = run.rivals.on(scene);
     let ours = ready.iter_mut().map(|r| r as &mut dyn Timed);
     let mut contestants: Vec<&mut dyn Timed> = ours.chain(peers.iter_mut().map(|p| p as &mut dyn Timed)).collect();
     let mut times = interleaved(&mut contestants, rays, run.plan.runs);
+    let sample = sample(rays, run.plan.sample, &mut Draw::new(run.plan.seed, 106, 0));
+    let mut answers = Vec::new();
+    for ready in &ready {
+        let mut hits = vec![Hit::MISS; sample.len()];
+        ready.closest(&sample, &mut hits)?;
+        answers.push(hits);
+    }
     drop(ready);
     let theirs = times.split_off(subjects.len());
     let ours = times.into_iter().collect::<Result<Vec<Times>, _>>()?;
-    let asked = [Asked::new(scene.clone(), sample(rays, run.plan.sample, &mut Draw::new(run.plan.seed, 106, 0)))];
-    run.agree(scene, &asked[0].rays);
+    let asked = [run.ask(scene.clone(), sample)];
     let mut entries = Vec::new();
-    for ((&subject, times), builds) in subjects.iter().zip(&ours).zip(builds) {
-        let hits: Vec<Hit> = run.bench.closest(subject, scene, &asked[0].rays)?;
-        let errors = errors(&run.bench, subject, &asked, tally(&asked[0], &hits))?;
+    for (((&subject, times), builds), hits) in subjects.iter().zip(&ours).zip(builds).zip(&answers) {
+        let errors = errors(&run.bench, subject, &asked, asked[0].tally(hits))?;
         let entry = entry(run.bench.name(subject), timing(builds.clone()), times, rays.len(), errors);
         let of_fast = Some(ours[fast_of(&subjects, subject)].over(times));
         entries.push(SceneEntry { of_fast, ..entry });
@@ -109,7 +113,7 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
         });
         match judged {
             Ok(times) => {
-                let errors = tally(&asked[0], &hits).errors();
+                let errors = asked[0].tally(&hits).errors();
                 let build = timing(vec![peer.build_seconds()]);
                 let entry = entry(peer.name().to_owned(), build, &times, rays.len(), errors);
                 entries.push(SceneEntry { peer: true, ..entry });
@@ -118,12 +122,6 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
         }
     }
     Ok(entries)
-}
-
-fn tally(asked: &Asked, hits: &[Hit]) -> Tally {
-    let mut tally = Tally::default();
-    tally.add(0, &asked.scene, &asked.rays, &asked.truth, hits);
-    tally
 }
 
 fn entry(who: String, build: Timing, times: &Times, rays: usize, errors: Errors) -> SceneEntry {

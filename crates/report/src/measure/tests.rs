@@ -26,7 +26,7 @@ const TINY: Plan = Plan {
 
 pub(crate) fn report(make: &super::Make<'_>) -> Report {
     let order = Order { plan: TINY, devices: vec![DeviceChoice::Cpu], scenes: Vec::new(), peers: None };
-    measure(&order, make, &mut ()).expect("the CPU engine answers")
+    measure(order, make, &mut ()).expect("the CPU engine answers")
 }
 
 /// A report of which only the devices are left.

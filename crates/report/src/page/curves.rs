@@ -35,10 +35,10 @@ pub(crate) fn distance(report: &Report) -> String {
         drawing.path(&line(|t| t.max), color, "stroke-width=\"1\" stroke-opacity=\"0.55\"");
         drawing.path(&line(|t| t.p99), color, &format!("stroke-width=\"{width}\" stroke-dasharray=\"{dash}\""));
         if let Some(&(_, at)) = line(|t| t.p99).last() {
-            ends.push((at, color, curve.method.clone()));
+            ends.push((WIDTH - 120.0, at, color, curve.method.clone()));
         }
     }
-    names(&mut drawing, &ends, 20.0, 370.0);
+    names(&mut drawing, &ends, [28.0, 370.0]);
 
     let shares = |c: &DistanceCurve| c.points.iter().map(|p| (p.distance, p.wrong)).collect::<Vec<_>>();
     let curves: Vec<_> = curves.iter().map(|c| (c.method.as_str(), shares(c))).collect();
@@ -99,10 +99,7 @@ fn rates(drawing: &mut Drawing, curves: &[(&str, Vec<(f64, Rate)>)], x: &Scale, 
     }
     let (inner, outer): (Vec<_>, Vec<_>) = ends.into_iter().partition(|(x, ..)| *x < right);
     for group in [inner, outer] {
-        let wanted: Vec<f64> = group.iter().map(|(_, at, ..)| at + 4.0).collect();
-        for ((end, _, color, method), at) in group.iter().zip(spread(&wanted, 14.0, top + 8.0, bottom + 4.0)) {
-            drawing.text(end + 8.0, at, "start", ink(color), method);
-        }
+        names(drawing, &group, [top + 8.0, bottom + 4.0]);
     }
 }
 
@@ -110,10 +107,10 @@ fn ticks(x: &Scale) -> Vec<(f64, String)> {
     x.ticks().into_iter().map(|tick| (x.place(tick), super::svg::tick_text(tick))).collect()
 }
 
-/// Names at the right ends of curves, moved apart.
-fn names(drawing: &mut Drawing, ends: &[(f64, &'static str, String)], top: f64, bottom: f64) {
-    let wanted: Vec<f64> = ends.iter().map(|(at, ..)| at + 4.0).collect();
-    for ((_, color, method), at) in ends.iter().zip(spread(&wanted, 14.0, top + 8.0, bottom)) {
-        drawing.text(WIDTH - 112.0, at, "start", ink(color), method);
+/// Names on the right of ends of curves, moved apart.
+fn names(drawing: &mut Drawing, ends: &[(f64, f64, &'static str, String)], [top, bottom]: [f64; 2]) {
+    let wanted: Vec<f64> = ends.iter().map(|(_, at, ..)| at + 4.0).collect();
+    for ((end, _, color, method), at) in ends.iter().zip(spread(&wanted, 14.0, top, bottom)) {
+        drawing.text(end + 8.0, at, "start", ink(color), method);
     }
 }

@@ -8,7 +8,8 @@ pub(crate) fn escape(text: &str) -> String {
 }
 
 /// `1234567` as `1,234,567`.
-pub(crate) fn count(n: u64) -> String {
+#[must_use]
+pub fn count(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {

@@ -177,7 +177,9 @@ fn paragraphs(out: &mut String, texts: &[String]) {
 
 fn section(out: &mut String, section: &Section) {
     let _ = writeln!(out, "<h2>{}</h2>", escape(&section.title));
-    content(out, section);
+    paragraphs(out, &section.text);
+    out.push_str(&section.table.as_ref().map(table::Table::html).unwrap_or_default());
+    paragraphs(out, &section.after);
 }
 
 /// A section whose table is long: closed at first.
@@ -189,10 +191,4 @@ fn folded(out: &mut String, section: &Section) {
     out.push_str("</details>\n");
     paragraphs(out, &section.after);
     out.push_str("</section>\n");
-}
-
-fn content(out: &mut String, section: &Section) {
-    paragraphs(out, &section.text);
-    out.push_str(&section.table.as_ref().map(table::Table::html).unwrap_or_default());
-    paragraphs(out, &section.after);
 }

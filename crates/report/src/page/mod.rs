@@ -11,7 +11,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use format::count;
+pub use format::count;
 
 use crate::model::Report;
 
