@@ -10,3 +10,4 @@ mod sample;
 mod scenes;
 mod shaders;
 mod truth;
+mod worked;

@@ -201,11 +201,15 @@ fn mesh_candidates(mesh: &Mesh, filter: Option<&Filter>) -> Vec<usize> {
 
 /// Whether the ray's range holds `t`, its ends included.
 fn holds(ray: &Ray, t: &Root) -> bool {
+    cmp_end(t, ray.t_min) != Ordering::Less && cmp_end(t, ray.t_max) != Ordering::Greater
+}
+
+/// How `t` compares with an end of a range.
+pub(crate) fn cmp_end(t: &Root, end: f32) -> Ordering {
     // An infinite end has no rational; it holds every `t` on one side and none on the other.
-    let order = |end: f32| match RBig::try_from(end) {
+    match RBig::try_from(end) {
         Ok(end) => t.cmp_rational(&end),
         Err(_) if end > 0.0 => Ordering::Less,
         Err(_) => Ordering::Greater,
-    };
-    order(ray.t_min) != Ordering::Less && order(ray.t_max) != Ordering::Greater
+    }
 }

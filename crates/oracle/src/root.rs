@@ -1,6 +1,10 @@
 use std::cmp::Ordering;
 
-use dashu::{base::Sign, rational::RBig};
+use dashu::{
+    base::{Sign, SquareRoot as _},
+    integer::{IBig, UBig},
+    rational::RBig,
+};
 
 /// The exact real number `p + s sqrt(D)`: `p` and `D >= 0` rational, `s` one of `-1, 1`.
 ///
@@ -54,6 +58,36 @@ impl Root {
             // Signs differ: (p + x) = (p^2 - x^2) / (p - x), whose numerator is rational.
             float(&(self.rational.sqr() - &self.radicand)) / (p - root)
         }
+    }
+
+    /// The same number times `by`, which is above zero.
+    pub(crate) fn times(&self, by: &RBig) -> Self {
+        Self { rational: &self.rational * by, sign: self.sign, radicand: &self.radicand * by.sqr() }
+    }
+
+    /// The same number less `other`.
+    pub(crate) fn minus(&self, other: &RBig) -> Self {
+        Self { rational: &self.rational - other, ..self.clone() }
+    }
+
+    /// The magnitude.
+    pub(crate) fn abs(&self) -> Self {
+        if self.cmp_rational(&RBig::ZERO) == Ordering::Less { -self } else { self.clone() }
+    }
+
+    /// The largest whole number that is not above it.
+    pub(crate) fn floor(&self) -> IBig {
+        // In whole numbers it is (m + s sqrt(w)) / n, and floor((m + z) / n) = floor((m + floor(z)) / n) for any real z.
+        let (p, d) = (&self.rational, &self.radicand);
+        let n = p.denominator() * d.denominator();
+        let w = UBig::try_from(d.numerator().clone()).unwrap_or(UBig::ZERO) * &n * p.denominator();
+        let below = w.sqrt();
+        let root = match self.sign {
+            Sign::Positive => IBig::from(below),
+            Sign::Negative if below.sqr() == w => -IBig::from(below),
+            Sign::Negative => -IBig::from(below + UBig::ONE),
+        };
+        RBig::from_parts(p.numerator() * d.denominator() + root, n).floor()
     }
 
     /// The rational part `p` and the radicand `D`.

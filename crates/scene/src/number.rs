@@ -51,13 +51,25 @@ fn magnitude(text: &str) -> Option<f32> {
 /// ```
 #[must_use]
 pub fn hex(x: f32) -> String {
+    hex64(f64::from(x))
+}
+
+/// The same of an `f64`.
+///
+/// ```
+/// use rayproof_scene::number;
+/// assert_eq!(number::hex64(-0.1), "-0x1.999999999999ap-4");
+/// assert_eq!(number::hex64(f64::from_bits(3)), "0x1.8p-1073");
+/// ```
+#[must_use]
+pub fn hex64(x: f64) -> String {
     if !x.is_finite() || x == 0.0 {
         return if x == 0.0 { "0x0p+0".to_owned() } else { x.to_string() };
     }
-    // As an f64 every f32 is normal.
-    let bits = f64::from(x).to_bits();
-    let (exponent, fraction) = ((bits >> 52 & 0x7ff).cast_signed() - 1023, bits << 12 >> 36);
-    let digits = format!("{fraction:07x}");
+    // A subnormal becomes normal by 2^64, exactly.
+    let (bits, shift) = if x.is_normal() { (x.to_bits(), 0) } else { ((x * 2.0_f64.powi(64)).to_bits(), 64) };
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff).cast_signed() - 1023 - shift, bits << 12 >> 12);
+    let digits = format!("{fraction:013x}");
     let digits = digits.trim_end_matches('0');
     let (sign, point) = (if x < 0.0 { "-" } else { "" }, if digits.is_empty() { "" } else { "." });
     format!("{sign}0x1{point}{digits}p{exponent:+}")

@@ -1,0 +1,137 @@
+//! The calculation that the oracle lays out, against the engines that it stands for: the same bits.
+
+use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Triangle};
+use rayproof_cpu::Engine;
+use rayproof_oracle::Oracle;
+use rayproof_oracle::families::{self, Family};
+use rayproof_oracle::worked::{Answer, Method, Value, work};
+
+const SEED: u64 = 20_261_125;
+const RAYS_PER_FAMILY: usize = 1_000;
+
+/// The tiers that are laid out.
+const TIERS: [(Tier, Method); 4] = [
+    (Tier::Textbook, Method::Textbook),
+    (Tier::Classic, Method::Classic),
+    (Tier::Fast, Method::Fast),
+    (Tier::Double, Method::Double),
+];
+
+/// The families, and why what is laid out, on unscaled numbers, may differ there from a tier that scales.
+const OUT_OF_RANGE: [(u32, &str); 11] = [
+    (7, "radii of 6e17: d.d r^2 overflows"),
+    (11, "d.d underflows"),
+    (12, "d.d and b^2 overflow"),
+    (13, "d.d underflows"),
+    (14, "o.o overflows"),
+    (15, "r^2 underflows"),
+    (27, "products of three lengths under- or overflow"),
+    (34, "u and v of the smallest subnormal, which underflow times det"),
+    (37, "the ends of f32 in every slot"),
+    (38, "boxes at 1e30: products of three lengths overflow"),
+    (41, "recorded rays with the smallest subnormal in the origin or the direction"),
+];
+
+/// What was compared of a family.
+#[derive(Default)]
+struct Tally {
+    answers: usize,
+    hits: usize,
+    /// Answers that differ, tier by tier.
+    differ: [usize; TIERS.len()],
+    /// False hits that the tree spared a ray.
+    spared: usize,
+    /// The first difference outside of the families and tiers that may differ.
+    wrong: Option<String>,
+}
+
+impl Tally {
+    fn of(family: &Family) -> Self {
+        let mut tally = Self::default();
+        let out_of_range = OUT_OF_RANGE.iter().any(|&(number, _)| number == family.number);
+        for case in family.cases(SEED, RAYS_PER_FAMILY) {
+            let oracle = Oracle::new(&case.scene);
+            for (i, ray) in case.rays.iter().enumerate().filter(|_| !case.scene.is_empty()) {
+                let nearest = oracle.closest(ray).map(|hit| hit.primitive as usize);
+                let primitive = case.scene.primitive(nearest.unwrap_or(i % case.scene.len()));
+                tally.compare(ray, &primitive, out_of_range);
+            }
+        }
+        tally
+    }
+
+    fn compare(&mut self, ray: &Ray, primitive: &Primitive, out_of_range: bool) {
+        let (scene, worked) = (alone(primitive), work(ray, primitive));
+        for (differ, (tier, method)) in self.differ.iter_mut().zip(TIERS) {
+            let Some(laid_out) = as_hit(&worked.answers[method as usize]) else { continue };
+            let engine = Engine::new(Bvh::new(&scene, tier.scaling()).expect("small"), tier);
+            let in_tree = closest(&engine, ray);
+            let hit = closest(&engine.without_tree(), ray);
+            if !hit.same_bits(&in_tree) {
+                assert_eq!(in_tree, Hit::MISS, "a tree can only spare a hit: {hit:?} of {ray:?} and {primitive:?}");
+                self.spared += 1;
+            }
+            self.answers += 1;
+            self.hits += usize::from(hit.is_hit());
+            if !hit.same_bits(&laid_out) {
+                *differ += 1;
+                if !(out_of_range && matches!(tier, Tier::Fast | Tier::Double)) {
+                    let what = || format!("{tier:?}: {hit:?}, laid out {laid_out:?}, of {ray:?} and {primitive:?}");
+                    self.wrong.get_or_insert_with(what);
+                }
+            }
+        }
+    }
+}
+
+/// A scene of the primitive alone.
+fn alone(primitive: &Primitive) -> Scene {
+    Scene::new(vec![match *primitive {
+        Primitive::Sphere(sphere) => Geometry::Spheres(vec![sphere]),
+        Primitive::Triangle(Triangle { a, b, c }) => {
+            Geometry::Mesh(Mesh { vertices: vec![a, b, c], triangles: vec![[0, 1, 2]] })
+        }
+    }])
+}
+
+/// The answer as an engine gives it; `None` where the method has none.
+fn as_hit(answer: &Answer) -> Option<Hit> {
+    match *answer {
+        Answer::Absent => None,
+        Answer::Miss(_) => Some(Hit::MISS),
+        Answer::Hit { t: Value::F32(t), u: Value::F32(u), v: Value::F32(v) } => Some(Hit { t, u, v, primitive: 0 }),
+        Answer::Hit { .. } => panic!("an engine answers in f32, not {answer:?}"),
+    }
+}
+
+fn closest(engine: &Engine, ray: &Ray) -> Hit {
+    let mut hits = [Hit::MISS];
+    engine.closest(&[*ray], &mut hits);
+    hits[0]
+}
+
+#[test]
+fn what_is_laid_out_is_what_engines_do() {
+    println!("seed {SEED}");
+    let (mut wrong, mut same, mut idle) = (Vec::new(), 0, Vec::new());
+    for family in families::all() {
+        let Tally { answers, hits, differ, spared, wrong: first } = Tally::of(family);
+        let reason = OUT_OF_RANGE.iter().find(|&&(number, _)| number == family.number).map_or("", |&(_, why)| why);
+        println!(
+            "family {:>2} {:<26} {answers:>5} answers, {hits:>5} hits, {differ:?} differ, {spared:>3} spared  {reason}",
+            family.number, family.name
+        );
+        wrong.extend(first.map(|what| format!("family {}: {what}", family.number)));
+        if reason.is_empty() {
+            assert!(hits > answers / 10, "family {} hits too little to compare", family.number);
+            same += hits;
+        } else if differ == [0; 4] {
+            idle.push(family.number);
+        }
+    }
+    println!("{same} hits without a different bit in the families that are in range");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(idle.is_empty(), "families that need no exception: {idle:?}");
+    assert!(same > 60_000, "{same} hits compared");
+}
