@@ -28,6 +28,18 @@ fn draw(bits: &mut u64) -> u64 {
 }
 
 #[test]
+fn whole_parts_lie_at_or_below() {
+    let floor = |p: RBig, sign, d: RBig| Root::new(p, sign, d).floor();
+    let (half, plus, minus) = (|| ratio(1, 2), Sign::Positive, Sign::Negative);
+    assert_eq!(floor(RBig::from(3), minus, RBig::from(4)), IBig::from(1), "a square");
+    assert_eq!(floor(RBig::from(3), minus, RBig::from(5)), IBig::from(0));
+    assert_eq!(floor(half(), minus, ratio(9, 4)), IBig::from(-1));
+    assert_eq!(floor(half(), minus, ratio(10, 4)), IBig::from(-2));
+    assert_eq!(floor(half(), plus, ratio(9, 4)), IBig::from(2));
+    assert_eq!(floor(half(), plus, ratio(8, 4)), IBig::from(1));
+}
+
+#[test]
 fn decimals_of_known_numbers() {
     assert_eq!(Value::F32(0.1).decimal(20), "1.0000000149011611938e-1");
     assert_eq!(Value::F64(0.1).decimal(20), "1.0000000000000000555e-1");
