@@ -37,23 +37,87 @@ impl Camera {
         Self { eye: eye.as_vec3(), target: target.as_vec3(), up: Vec3::Y, fov_y }
     }
 
+    /// What is wrong with it, and what would be right; `None` for a camera that sees.
+    #[must_use]
+    pub fn fault(&self) -> Option<[&'static str; 2]> {
+        let &Self { eye, target, up, fov_y } = self;
+        if !(eye.is_finite() && target.is_finite() && up.is_finite() && fov_y.is_finite()) {
+            Some(["a number is not finite", "give finite numbers within the range of f32"])
+        } else if eye == target {
+            Some(["eye and target are the same point", "give two points"])
+        } else if parallel(target.as_dvec3() - eye.as_dvec3(), up.as_dvec3()) {
+            Some(["up is along the line of sight, or zero", "give an up that is not"])
+        } else if !(fov_y > 0.0 && fov_y < 180.0) {
+            Some(["fov_y is out of range", "give degrees, above 0 and below 180"])
+        } else {
+            None
+        }
+    }
+
+    /// The table `[camera]` of a scene file that reads back as this camera.
+    #[must_use]
+    pub fn table(&self) -> String {
+        let vector = |v: Vec3| format!("[{}]", v.to_array().map(decimal).join(", "));
+        let [eye, target, up] = [self.eye, self.target, self.up].map(vector);
+        format!("[camera]\neye = {eye}\ntarget = {target}\nup = {up}\nfov_y = {}\n", decimal(self.fov_y))
+    }
+
     /// The rays through the pixel centres of a `width` x `height` picture, row by row from the top left.
     ///
-    /// Directions are computed in `f64`, have unit length, and are rounded once. `row` picks the rows.
+    /// `rows` picks the rows.
     pub fn rays(&self, width: u32, height: u32, rows: std::ops::Range<u32>) -> impl Iterator<Item = Ray> {
+        let pixels = self.pixels(width, height);
+        rows.flat_map(move |y| (0..width).map(move |x| (x, y))).map(move |(x, y)| pixels.ray(x, y))
+    }
+
+    /// The pixels of a `width` x `height` picture, to be asked for their rays one by one.
+    #[must_use]
+    pub fn pixels(&self, width: u32, height: u32) -> Pixels {
         let (eye, target, up) = (self.eye.as_dvec3(), self.target.as_dvec3(), self.up.as_dvec3());
         let forward = (target - eye).normalize();
         let right = forward.cross(up).normalize();
         let up = right.cross(forward);
         let half = (f64::from(self.fov_y).to_radians() * 0.5).tan();
-        let (w, h) = (f64::from(width), f64::from(height));
-        let origin = self.eye;
-        rows.flat_map(move |y| (0..width).map(move |x| (x, y))).map(move |(x, y)| {
-            let sx = (2.0 * (f64::from(x) + 0.5) - w) / h * half;
-            let sy = (h - 2.0 * (f64::from(y) + 0.5)) / h * half;
-            Ray::new(origin, (forward + right * sx + up * sy).normalize().as_vec3())
-        })
+        Pixels { origin: self.eye, forward, right, up, half, size: [f64::from(width), f64::from(height)] }
     }
+}
+
+/// A picture's pixels, as a camera sees them.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixels {
+    origin: Vec3,
+    forward: DVec3,
+    right: DVec3,
+    up: DVec3,
+    /// Half the height of the picture at a distance of 1.
+    half: f64,
+    size: [f64; 2],
+}
+
+impl Pixels {
+    /// The ray through the centre of a pixel, counted from the top left.
+    ///
+    /// Its direction is computed in `f64`, has unit length, and is rounded once.
+    #[must_use]
+    pub fn ray(&self, x: u32, y: u32) -> Ray {
+        let &Self { origin, forward, right, up, half, size: [w, h] } = self;
+        let sx = (2.0 * (f64::from(x) + 0.5) - w) / h * half;
+        let sy = (h - 2.0 * (f64::from(y) + 0.5)) / h * half;
+        Ray::new(origin, (forward + right * sx + up * sy).normalize().as_vec3())
+    }
+}
+
+/// Whether what is left of `up` after its part along the line of sight is no more than the rounding of an f64.
+fn parallel(sight: DVec3, up: DVec3) -> bool {
+    sight.normalize_or_zero().cross(up.normalize_or_zero()).length() < 1e-12
+}
+
+/// The shortest decimal that reads back as the same f32 by way of an f64, as a scene file is read.
+fn decimal(x: f32) -> String {
+    let short = format!("{x:?}");
+    #[expect(clippy::cast_possible_truncation, reason = "this is how it will be read")]
+    let reads_back = short.parse::<f64>().is_ok_and(|wide| wide as f32 == x);
+    if reads_back { short } else { format!("{:?}", f64::from(x)) }
 }
 
 /// Where to stand on one axis: `offset > 0` from the target, on the other side where that is out of range of f32.

@@ -29,12 +29,13 @@ mod files;
 mod hit;
 pub mod number;
 mod ray;
+pub mod replay;
 mod scene;
 mod sphere;
 mod triangle;
 
 pub use batch::{Format, HitKind, HitWriter, INVALID_RAY, InvalidRays, RayReader, RayWriter};
-pub use camera::Camera;
+pub use camera::{Camera, Pixels};
 pub use error::{BadInput, Error};
 pub use files::{LoadedScene, load};
 pub use hit::{Hit, MISS, Undecided};

@@ -58,6 +58,16 @@ pub enum Primitive {
     Sphere(Sphere),
 }
 
+impl From<Primitive> for Geometry {
+    /// The geometry of this one primitive.
+    fn from(primitive: Primitive) -> Self {
+        match primitive {
+            Primitive::Sphere(sphere) => Self::Spheres(vec![sphere]),
+            Primitive::Triangle(t) => Self::Mesh(Mesh { vertices: vec![t.a, t.b, t.c], triangles: vec![[0, 1, 2]] }),
+        }
+    }
+}
+
 /// What rays are shot at: geometries, in the order of the file.
 ///
 /// Primitives have one flat numbering, geometry after geometry, which is what a [`Hit`](crate::Hit) holds and what

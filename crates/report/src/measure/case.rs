@@ -1,8 +1,6 @@
 //! One ray as two small files that `rayproof intersect` answers again.
 
-use std::fmt::Write as _;
-
-use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, number};
+use rayproof::scene::{Hit, Primitive, Ray, Scene, number, replay};
 
 use super::Error;
 use super::subject::{Bench, Subject, Walk};
@@ -69,7 +67,7 @@ fn alone(
     primitives: &[(u32, Primitive)],
     ulp: Option<f64>,
 ) -> Result<Case, Error> {
-    let small = Scene::new(primitives.iter().map(|&(_, primitive)| geometry(primitive)).collect());
+    let small = Scene::new(primitives.iter().map(|&(_, primitive)| primitive.into()).collect());
     let renumbered = |hit: Hit| {
         let place = primitives.iter().position(|&(flat, _)| flat == hit.primitive);
         Hit { primitive: place.and_then(|i| u32::try_from(i).ok()).unwrap_or(hit.primitive), ..hit }
@@ -78,8 +76,8 @@ fn alone(
     let mut again = [Hit::MISS];
     bench.ready(subject, &small, Walk::Tree)?.closest(&[*ray], &mut again)?;
     Ok(Case {
-        scene: scene_file(primitives),
-        rays: ray_file(ray),
+        scene: replay::scene_file(primitives.iter().map(|&(_, primitive)| primitive)),
+        rays: replay::ray_file(ray),
         exact: in_words(&exact),
         answer: in_words(&answer),
         ulp,
@@ -97,33 +95,6 @@ fn involved(scene: &Scene, answers: [Hit; 2]) -> Vec<(u32, Primitive)> {
         flat.push(0);
     }
     flat.into_iter().map(|flat| (flat, scene.primitive(flat as usize))).collect()
-}
-
-fn geometry(primitive: Primitive) -> Geometry {
-    match primitive {
-        Primitive::Sphere(sphere) => Geometry::Spheres(vec![sphere]),
-        Primitive::Triangle(t) => Geometry::Mesh(Mesh { vertices: vec![t.a, t.b, t.c], triangles: vec![[0, 1, 2]] }),
-    }
-}
-
-/// A scene file with a geometry for each primitive, its numbers hexadecimal.
-fn scene_file(primitives: &[(u32, Primitive)]) -> String {
-    let mut text = String::new();
-    for (_, primitive) in primitives {
-        let (key, numbers) = match primitive {
-            Primitive::Sphere(s) => ("spheres", [&s.center.to_array()[..], &[s.radius]].concat()),
-            Primitive::Triangle(t) => ("triangles", [t.a, t.b, t.c].map(|v| v.to_array()).concat()),
-        };
-        let row: Vec<String> = numbers.into_iter().map(|x| format!("\"{}\"", number::hex(x))).collect();
-        let _ = writeln!(text, "[[geometry]]\n{key} = [[{}]]", row.join(", "));
-    }
-    text
-}
-
-fn ray_file(ray: &Ray) -> String {
-    let numbers = [&ray.origin.to_array()[..], &ray.direction.to_array(), &[ray.t_min, ray.t_max]].concat();
-    let row: Vec<String> = numbers.into_iter().map(number::hex).collect();
-    format!("ox,oy,oz,dx,dy,dz,t_min,t_max\n{}\n", row.join(","))
 }
 
 fn in_words(hit: &Hit) -> String {

@@ -54,7 +54,8 @@ pub enum Scaling {
 }
 
 /// How hits are computed: which formulas run at the leaves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Tier {
     /// The quadratic as schoolbooks have it, with both its cancellations, in `f32`; triangles as in `Classic`. Here to be seen
     /// failing.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use serde::Deserialize;
 use toml::Value;
 
@@ -166,21 +166,8 @@ fn number_of(value: &Value) -> Option<f32> {
 fn camera(file: &str, view: &View) -> Result<Camera, Error> {
     let [eye, target, up] = [view.eye, view.target, view.up].map(|v| Vec3::from(v.map(nearest)));
     let camera = Camera { eye, target, up, fov_y: nearest(view.fov_y) };
-    let (what, expected) = if !(eye.is_finite() && target.is_finite() && up.is_finite() && camera.fov_y.is_finite()) {
-        ("a number is not finite", "give finite numbers within the range of f32")
-    } else if eye == target {
-        ("eye and target are the same point", "give two points")
-    } else if parallel(target.as_dvec3() - eye.as_dvec3(), up.as_dvec3()) {
-        ("up is along the line of sight, or zero", "give an up that is not")
-    } else if !(camera.fov_y > 0.0 && camera.fov_y < 180.0) {
-        ("fov_y is out of range", "give degrees, above 0 and below 180")
-    } else {
-        return Ok(camera);
-    };
-    Err(Error::bad(file, "[camera]", what, expected))
-}
-
-/// Whether what is left of `up` after its part along the line of sight is no more than the rounding of an f64.
-fn parallel(sight: DVec3, up: DVec3) -> bool {
-    sight.normalize_or_zero().cross(up.normalize_or_zero()).length() < 1e-12
+    match camera.fault() {
+        None => Ok(camera),
+        Some([what, expected]) => Err(Error::bad(file, "[camera]", what, expected)),
+    }
 }
