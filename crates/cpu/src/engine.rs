@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use rayon::prelude::*;
 use rayproof_scene::bvh::{Bvh, Tier};
 use rayproof_scene::{Hit, MISS, Ray, Undecided};
@@ -20,8 +22,8 @@ const BLOCK: usize = 64;
 /// A tree ready to be walked, and the tier whose formulas run at its leaves.
 #[derive(Clone, Debug)]
 pub struct Engine {
-    nodes: Vec<WideNode>,
-    primitives: Primitives,
+    nodes: Arc<[WideNode]>,
+    primitives: Arc<Primitives>,
     stack_depth: usize,
     params: Params,
     tier: Tier,
@@ -65,7 +67,13 @@ impl Engine {
         let (stack_depth, params) = (bvh.stack_depth, Params::new(&bvh));
         // The packed nodes and triangles end here: their decoded form is all that is walked.
         let (primitives, nodes) = Primitives::new(bvh);
-        Self { nodes, primitives, stack_depth, params, tier, every: None }
+        Self { nodes: nodes.into(), primitives: primitives.into(), stack_depth, params, tier, every: None }
+    }
+
+    /// The same tree with the formulas of another tier, shared and not copied; `None` where that tier scales scenes otherwise.
+    #[must_use]
+    pub fn with_tier(&self, tier: Tier) -> Option<Self> {
+        (tier.scaling() == self.tier.scaling()).then(|| Self { tier, ..self.clone() })
     }
 
     /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
@@ -212,7 +220,7 @@ impl Engine {
     }
 
     fn claims_by<F: Formulas>(&self, rays: &[Ray], claims: &mut [u32]) {
-        let Primitives { leaves, spheres, .. } = &self.primitives;
+        let Primitives { leaves, spheres, .. } = &*self.primitives;
         let count = |ray: &Ray, stack: &mut Stack, _: &mut Path| {
             let unit = unit_direction(ray.direction);
             let ray = F::ray(&self.params, ray, &unit);
@@ -233,7 +241,7 @@ impl Engine {
     fn nearest<F: Formulas, const ANY: bool>(&self, ray: &Ray, stack: &mut Stack) -> Hit {
         let unit = unit_direction(ray.direction);
         let ray = F::ray(&self.params, ray, &unit);
-        let Primitives { leaves, spheres, sphere_ids, .. } = &self.primitives;
+        let Primitives { leaves, spheres, sphere_ids, .. } = &*self.primitives;
         self.walk(
             stack,
             &unit,
@@ -288,7 +296,7 @@ impl Engine {
     /// The hit of the primitive in a place, which is hit in range.
     #[inline(always)]
     fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> Hit {
-        let Primitives { scale, scale_exponent, .. } = self.primitives;
+        let Primitives { scale, scale_exponent, .. } = *self.primitives;
         let ray = SecondRay::new(ray, scale, slot & SPHERES != 0);
         let [t, u, v] = exact::round(&ray, &self.primitives.shape(slot), scale_exponent, &mut path.doubts);
         Hit { t, u, v, primitive: self.primitives.id(slot) }
@@ -302,7 +310,7 @@ impl Engine {
         if !first.ordinary {
             return self.second_slot::<ANY>(ray, path);
         }
-        let Primitives { leaves, spheres, .. } = &self.primitives;
+        let Primitives { leaves, spheres, .. } = &*self.primitives;
         let found = self.walk(
             stack,
             &unit,
@@ -354,7 +362,7 @@ impl Engine {
         let unit = unit_direction(ray.direction);
         let first = exact::first_ray(&self.params, ray, &unit);
         if first.ordinary {
-            let Primitives { leaves, spheres, .. } = &self.primitives;
+            let Primitives { leaves, spheres, .. } = &*self.primitives;
             let found = self.walk(
                 stack,
                 &unit,

@@ -26,8 +26,23 @@ pub enum Selector {
     Pci(String),
 }
 
+/// What another user of an open device, such as a window that paints with it, needs of it.
+#[derive(Clone, Debug)]
+pub struct Handles {
+    /// The Vulkan instance.
+    pub instance: wgpu::Instance,
+    /// The adapter.
+    pub adapter: wgpu::Adapter,
+    /// The device, with all limits of the adapter.
+    pub device: wgpu::Device,
+    /// Its queue, which kernels are submitted to.
+    pub queue: wgpu::Queue,
+}
+
 /// An open device, with its arithmetic measured.
 pub struct Gpu {
+    instance: wgpu::Instance,
+    adapter: wgpu::Adapter,
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
@@ -62,15 +77,16 @@ impl Gpu {
     /// # Errors
     /// When there is no such adapter (the message lists those there are), or it cannot be opened.
     pub fn open(selector: &Selector) -> Result<Self, Error> {
-        let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::VULKAN));
+        let instance = instance();
+        let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN));
         let infos: Vec<wgpu::AdapterInfo> = adapters.iter().map(wgpu::Adapter::get_info).collect();
         let index = choose(&infos, selector)?;
-        let mut gpu = Self::open_adapter(&adapters[index])?;
+        let mut gpu = Self::open_adapter(instance, &adapters[index])?;
         gpu.fingerprint = Some(Fingerprint::measure(&gpu, gpu.route)?);
         Ok(gpu)
     }
 
-    fn open_adapter(adapter: &wgpu::Adapter) -> Result<Self, Error> {
+    fn open_adapter(instance: wgpu::Instance, adapter: &wgpu::Adapter) -> Result<Self, Error> {
         let wanted = wgpu::Features::PASSTHROUGH_SHADERS | wgpu::Features::SHADER_F64 | wgpu::Features::TIMESTAMP_QUERY;
         let features = adapter.features() & wanted;
         let limits = adapter.limits();
@@ -104,6 +120,8 @@ impl Gpu {
         let info = adapter.get_info();
         let tick = features.contains(wgpu::Features::TIMESTAMP_QUERY).then(|| queue.get_timestamp_period());
         Ok(Self {
+            instance,
+            adapter: adapter.clone(),
             device,
             queue,
             info,
@@ -136,6 +154,13 @@ impl Gpu {
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
+    /// The device itself, to be shared.
+    #[must_use]
+    pub fn handles(&self) -> Handles {
+        let (instance, adapter) = (self.instance.clone(), self.adapter.clone());
+        Handles { instance, adapter, device: self.device.clone(), queue: self.queue.clone() }
     }
 
     /// How kernels reach the driver.

@@ -25,7 +25,7 @@ pub use adapter::{AdapterReport, adapters};
 pub use engine::{Engine, Open};
 pub use error::Error;
 pub use fingerprint::{Fingerprint, Route};
-pub use gpu::{Gpu, Selector};
+pub use gpu::{Gpu, Handles, Selector};
 pub use kernel::{Contents, Kernel, Pass, Query, Walk, Width};
 pub use link::Linked;
 pub use ray_query::RayQuery;

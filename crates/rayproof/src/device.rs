@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use rayproof_gpu::{Fingerprint, Gpu, Route, Selector};
+use rayproof_gpu::{Fingerprint, Gpu, Handles, Route, Selector};
 
 use crate::intersector::{cpu_info, describe};
 use crate::{DeviceChoice, DeviceInfo, Error, Precision};
@@ -20,7 +20,7 @@ impl Device {
     /// # Errors
     /// When it is not there, or fails.
     pub fn open(choice: &DeviceChoice) -> Result<Self, Error> {
-        let Some(selector) = choice.selector() else { return Ok(Self { gpu: None, note: None }) };
+        let Some(selector) = choice.selector() else { return Ok(Self::cpu()) };
         match Gpu::open(&selector) {
             Ok(gpu) => Ok(Self { gpu: Some(gpu.into()), note: None }),
             Err(rayproof_gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
@@ -31,6 +31,12 @@ impl Device {
             }
             Err(e) => Err(e.into()),
         }
+    }
+
+    /// The CPU engine, which is always there.
+    #[must_use]
+    pub const fn cpu() -> Self {
+        Self { gpu: None, note: None }
     }
 
     /// Opens the same device anew with kernels that take another route, to measure what the usual one costs.
@@ -54,6 +60,12 @@ impl Device {
     #[must_use]
     pub fn is_software(&self) -> bool {
         self.gpu.as_ref().is_some_and(|gpu| gpu.is_software())
+    }
+
+    /// The device itself, to be shared with what paints a window; none for the CPU engine.
+    #[must_use]
+    pub fn handles(&self) -> Option<Handles> {
+        self.gpu.as_ref().map(|gpu| gpu.handles())
     }
 
     /// Its arithmetic, as kernels run it; none for the CPU engine.

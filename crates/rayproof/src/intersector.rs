@@ -53,6 +53,16 @@ impl Intersector {
         Ok(Self { engine, info, build_seconds, precision, resolve_nanoseconds: AtomicU64::new(0) })
     }
 
+    /// The same scene in another precision, on the CPU engine; the two share one tree. `None` where that takes a tree of its
+    /// own: on a device, and where one precision scales the scene and the other does not.
+    #[must_use]
+    pub fn with_precision(&self, precision: Precision) -> Option<Self> {
+        let Engine::Cpu(engine) = &self.engine else { return None };
+        let engine = Engine::Cpu(Box::new(engine.with_tier(precision)?));
+        let (info, resolve_nanoseconds) = (self.info.clone(), AtomicU64::new(0));
+        Some(Self { engine, info, build_seconds: 0.0, precision, resolve_nanoseconds })
+    }
+
     /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
     #[must_use]
     pub fn without_tree(self) -> Self {
