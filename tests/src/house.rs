@@ -8,14 +8,16 @@ use std::process::Command;
 use serde_json::Value;
 
 /// Each room, and the rooms that it is built from. A new room is entered here and in the README.
-const ROOMS: [(&str, &[&str]); 8] = [
+const ROOMS: [(&str, &[&str]); 10] = [
     ("rayproof-scene", &[]),
     ("rayproof-gpu", &["rayproof-scene"]),
     ("rayproof-cpu", &["rayproof-scene"]),
     ("rayproof", &["rayproof-cpu", "rayproof-gpu", "rayproof-scene"]),
     ("rayproof-oracle", &["rayproof-scene"]),
+    ("rayproof-picture", &["rayproof-oracle", "rayproof-scene"]),
     ("rayproof-report", &["rayproof", "rayproof-gpu", "rayproof-oracle"]),
-    ("rayproof-cli", &["rayproof", "rayproof-oracle", "rayproof-report"]),
+    ("rayproof-cli", &["rayproof", "rayproof-oracle", "rayproof-picture", "rayproof-report"]),
+    ("rayproof-viewer", &["rayproof", "rayproof-oracle", "rayproof-picture"]),
     ("rayproof-tests", &[]),
 ];
 

@@ -1,7 +1,8 @@
 //! Rays that leave the surface where primary rays hit it: what a path tracer asks next.
 
 use glam::{DVec3, Vec3};
-use rayproof::scene::{Hit, Primitive, Ray, Scene};
+use rayproof::scene::{Hit, Ray, Scene};
+use rayproof_picture::normal::{facing, normal};
 
 use crate::random::Random;
 
@@ -20,24 +21,6 @@ pub(crate) fn bounce(scene: &Scene, ray: &Ray, hit: &Hit, random: &mut Random) -
     // A unit normal plus a uniform point of the unit sphere is cosine-weighted (Lambert's law).
     let direction = (normal + random.on_sphere()).try_normalize().unwrap_or(normal);
     Ray::new(finite(p + normal * push), direction.as_vec3())
-}
-
-/// The geometric normal of the primitive at `p`, of any length.
-pub(crate) fn normal(scene: &Scene, hit: &Hit, p: DVec3) -> DVec3 {
-    match scene.primitive(hit.primitive as usize) {
-        Primitive::Triangle(triangle) => {
-            let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| v.as_dvec3());
-            (b - a).cross(c - a)
-        }
-        Primitive::Sphere(sphere) => p - sphere.center.as_dvec3(),
-    }
-}
-
-/// The unit normal on the side that a ray along `d` comes from.
-pub(crate) fn facing(normal: DVec3, d: DVec3) -> DVec3 {
-    let back = -d.normalize();
-    let normal = normal.try_normalize().unwrap_or(back);
-    if normal.dot(back) < 0.0 { -normal } else { normal }
 }
 
 /// Rounded to the nearest f32, within its range.

@@ -1,24 +1,16 @@
 //! The scale of an error picture and the colours of one of tiers, drawn into the lower left corner.
 
 use font8x8::{BASIC_FONTS, UnicodeFonts as _};
+use rayproof_picture::color::{BACKGROUND, DECADES, Rgb, TIERS, WRONG, viridis};
 
-use crate::color::{BACKGROUND, Rgb, TIERS, WRONG, viridis};
 use crate::picture::Picture;
 
-/// The ends of the decades: none, 1, and on to a million ULP.
-const DECADES: [&str; 8] = ["0", "1", "10", "100", "1k", "10k", "100k", "1M"];
 /// Pixels a decade: the widest label and a gap.
 const STEP: u32 = 40;
 const WIDTH: u32 = STEP * 9;
 const HEIGHT: u32 = 48;
 const PANEL: Rgb = [0, 0, 0];
 const TEXT: Rgb = [255, 255, 255];
-
-/// The colour of an error in ULP: from none over 1 to a million and more, logarithmic from 1 on.
-#[expect(clippy::cast_precision_loss, reason = "a colour")]
-pub(crate) fn color(ulps: u64) -> Rgb {
-    viridis(if ulps == 0 { 0.0 } else { ((ulps as f64).log10() + 1.0) / 7.0 })
-}
 
 /// Draws the scale, if the picture is large enough to leave most of it free.
 pub(crate) fn draw(picture: &mut Picture) {
@@ -82,11 +74,6 @@ mod tests {
     #![expect(clippy::unwrap_used, reason = "a test")]
 
     use super::*;
-
-    #[test]
-    fn the_scale_is_logarithmic_and_ends_at_both_ends() {
-        assert_eq!([0, 1, 10, 1_000_000, u64::MAX].map(color), [0.0, 1.0 / 7.0, 2.0 / 7.0, 1.0, 1.0].map(viridis));
-    }
 
     #[test]
     fn small_pictures_are_left_alone_and_large_ones_are_labelled() {

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _};
+use rayproof_picture::color::Rgb;
 
-use crate::color::Rgb;
 use crate::exit::{Code, Failure};
 use crate::parse::Size;
 use crate::target;

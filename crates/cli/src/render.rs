@@ -6,15 +6,16 @@ use rayon::prelude::*;
 use rayproof::scene::{Camera, Hit, Ray, Scene};
 use rayproof::{Intersector, Options};
 use rayproof_oracle::Oracle;
+use rayproof_picture::color::Rgb;
+use rayproof_picture::shade;
 
 use crate::args::Render;
 use crate::choices::{Show, Tier};
-use crate::color::Rgb;
 use crate::exit::{Code, Failure, say};
 use crate::picture::Picture;
 use crate::progress::Progress;
 use crate::rays::row_blocks;
-use crate::{legend, shade, summary, target};
+use crate::{legend, summary, target};
 
 /// Runs the command.
 pub(crate) fn run(args: &Render) -> Result<(), Failure> {
@@ -60,7 +61,8 @@ impl View<'_> {
             Show::Uv => self.shade(&mut picture, |_, hit| shade::by_uv(hit))?,
             Show::Error => {
                 let oracle = Oracle::new(scene);
-                self.shade(&mut picture, |ray, hit| shade::by_error(&oracle, ray, hit))?;
+                let exact = |ray: &Ray| oracle.closest(ray).map_or(Hit::MISS, |exact| exact.to_hit());
+                self.shade(&mut picture, |ray, hit| shade::by_error(&exact(ray), hit))?;
                 legend::draw(&mut picture);
             }
             Show::Tier => {

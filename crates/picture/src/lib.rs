@@ -1,0 +1,17 @@
+//! From hits to colours: what a pixel shows, the same on the command line and in the viewer.
+//!
+//! [`shade`] has a function for each thing that can be shown; [`color`] the scales that they use, all of which people who
+//! see fewer colours can tell apart; [`normal`] the surface's normal.
+//!
+//! ```
+//! use rayproof_picture::{color, shade};
+//! use rayproof_scene::Hit;
+//!
+//! let hit = Hit { t: 1.0, u: 0.0, v: 1.0, primitive: 0 };
+//! assert_eq!(shade::by_uv(&hit), [0, 0, 255]);
+//! assert_eq!(shade::by_uv(&Hit::MISS), color::BACKGROUND);
+//! ```
+
+pub mod color;
+pub mod normal;
+pub mod shade;

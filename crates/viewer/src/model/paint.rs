@@ -1,0 +1,162 @@
+//! From answers to pixels, and to figures about them.
+
+use rayon::prelude::*;
+use rayproof::scene::{Hit, Pixels, Scene};
+use rayproof_oracle::judge::ulp_distance;
+use rayproof_picture::color::{BACKGROUND, Rgb};
+use rayproof_picture::shade::{self, Verdict};
+
+use super::layer::{Answers, Layer};
+use super::look::Mode;
+
+/// A pixel that hits something, in the mask.
+pub(crate) const HIT: Rgb = [235, 235, 238];
+
+/// What a side of a picture is painted from.
+pub(crate) struct Side<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) pixels: Pixels,
+    pub(crate) size: [u32; 2],
+    pub(crate) mode: Mode,
+    /// What is shown.
+    pub(crate) shown: &'a Layer,
+    /// What it is compared with: exact answers, or another method's.
+    pub(crate) against: Option<&'a Layer>,
+}
+
+impl Side<'_> {
+    /// The colours of all pixels; where there is no answer yet, that of the pixel above and to the left which has one.
+    pub(crate) fn paint(&self) -> Vec<Rgb> {
+        let width = self.size[0] as usize;
+        if self.mode == Mode::Depth {
+            return self.paint_depth();
+        }
+        let mut colors = vec![BACKGROUND; width * self.size[1] as usize];
+        colors.par_chunks_exact_mut(width).zip(0..self.size[1]).for_each(|(row, y)| {
+            let Some(step) = self.step_at(y) else { return };
+            let top = y - y % step;
+            for (x, block) in (0..).step_by(step as usize).zip(row.chunks_mut(step as usize)) {
+                block.fill(self.color(x, top));
+            }
+        });
+        colors
+    }
+
+    /// The nearest and the farthest are known when all distances are.
+    fn paint_depth(&self) -> Vec<Rgb> {
+        let [width, height] = self.size;
+        let hits = self.shown.hits();
+        let mut distances = Vec::with_capacity(hits.len());
+        for y in 0..height {
+            let step = self.step_at(y);
+            distances.extend(
+                (0..width).map(|x| {
+                    step.map_or(f32::INFINITY, |step| hits[((y - y % step) * width + x - x % step) as usize].t)
+                }),
+            );
+        }
+        shade::by_depth(&distances).collect()
+    }
+
+    /// Every how many pixels there is an answer of each kind.
+    fn step_at(&self, y: u32) -> Option<u32> {
+        let step = self.shown.step_at(y)?;
+        self.against.map_or(Some(step), |other| Some(step.max(other.step_at(y)?)))
+    }
+
+    fn color(&self, x: u32, y: u32) -> Rgb {
+        let i = (y * self.size[0] + x) as usize;
+        let hit = match &self.shown.answers {
+            Answers::Tiers(tiers) => return shade::by_tier(tiers[i]),
+            Answers::Hits(hits) => &hits[i],
+        };
+        let other = self.against.map_or(&Hit::MISS, |layer| &layer.hits()[i]);
+        match self.mode {
+            Mode::Normal => shade::by_normal(self.scene, &self.pixels.ray(x, y), hit),
+            Mode::Primitive => shade::by_primitive(hit),
+            Mode::Uv => shade::by_uv(hit),
+            Mode::Error | Mode::Difference => shade::by_error(other, hit),
+            Mode::Verdict => Verdict::of(other, hit).color(),
+            Mode::Mask | Mode::Depth | Mode::Tier => {
+                if hit.is_hit() {
+                    HIT
+                } else {
+                    BACKGROUND
+                }
+            }
+        }
+    }
+
+    /// What there is to say of a side when all its pixels are answered.
+    pub(crate) fn figures(&self) -> Option<Figures> {
+        let whole = self.shown.is_complete() && self.against.is_none_or(Layer::is_complete);
+        whole.then(|| match (&self.shown.answers, self.against) {
+            (Answers::Tiers(tiers), _) => {
+                let mut counts = [0; 3];
+                tiers.iter().for_each(|&tier| counts[usize::from(tier.clamp(1, 3)) - 1] += 1);
+                Figures::Tiers(counts)
+            }
+            (Answers::Hits(hits), None) => Figures::Hits(hits.iter().filter(|hit| hit.is_hit()).count()),
+            (Answers::Hits(hits), Some(other)) => Figures::Errors(Errors::of(other.hits(), hits)),
+        })
+    }
+}
+
+/// Figures about a side of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Figures {
+    /// How many pixels hit something.
+    Hits(usize),
+    /// How many pixels each tier decides.
+    Tiers([usize; 3]),
+    Errors(Errors),
+}
+
+/// How a method's answers stand to others.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Errors {
+    /// How many there are of each verdict, in the order of [`Verdict::ALL`].
+    pub(crate) verdicts: [usize; 5],
+    /// The median error of t where the primitive is the same, in ULP; that of 99.9 %; the worst.
+    pub(crate) ulps: Option<[u64; 3]>,
+}
+
+impl Errors {
+    pub(crate) fn of(exact: &[Hit], answers: &[Hit]) -> Self {
+        let mut verdicts = [0; 5];
+        let mut ulps = Vec::new();
+        for (exact, answer) in exact.iter().zip(answers) {
+            let verdict = Verdict::of(exact, answer);
+            verdicts[Verdict::ALL.iter().position(|&v| v == verdict).unwrap_or(0)] += 1;
+            if verdict == Verdict::Hit {
+                ulps.push(ulp_distance(exact.t, answer.t));
+            }
+        }
+        ulps.sort_unstable();
+        let quantile = |thousandths: usize| ulps[(ulps.len() - 1) * thousandths / 1000];
+        let ulps = (!ulps.is_empty()).then(|| [500, 999, 1000].map(quantile));
+        Self { verdicts, ulps }
+    }
+
+    /// How many answers are wrong.
+    pub(crate) fn wrong(&self) -> usize {
+        self.verdicts[2..].iter().sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_counted_by_verdict() {
+        let at = |t: f32, primitive| Hit { t, u: 0.0, v: 0.0, primitive };
+        let off = f32::from_bits(2.0_f32.to_bits() + 7);
+        let exact = [at(2.0, 0), at(2.0, 0), at(2.0, 0), Hit::MISS, Hit::MISS, at(2.0, 0)];
+        let answers = [at(2.0, 0), at(off, 0), at(2.0, 1), at(1.0, 0), Hit::MISS, Hit::MISS];
+        let errors = Errors::of(&exact, &answers);
+        assert_eq!(errors, Errors { verdicts: [1, 2, 1, 1, 1], ulps: Some([0, 0, 7]) });
+        assert_eq!(errors.wrong(), 3);
+        assert_eq!(Errors::of(&[], &[]).ulps, None);
+    }
+}

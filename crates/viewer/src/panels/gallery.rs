@@ -1,0 +1,144 @@
+//! The hard cases, one family after the other.
+
+use egui::{ComboBox, RichText, ScrollArea, Slider, Ui};
+use rayproof::Precision;
+use rayproof::scene::Hit;
+use rayproof_oracle::judge::ulp_distance;
+use rayproof_picture::shade::Verdict;
+
+use super::view::many;
+use crate::app::App;
+use crate::gallery::Hung;
+use crate::inspector::Picked;
+use crate::model::gallery::{Answered, all};
+use crate::model::navigate;
+
+/// The methods in the table of rays; `pair` is left out, as its errors are mostly those of `double`.
+const SHOWN: [Precision; 4] = [Precision::Textbook, Precision::Classic, Precision::Fast, Precision::Double];
+
+pub(super) fn show(app: &mut App, ui: &mut Ui) {
+    ui.heading("Hard cases");
+    ui.label("42 families of scenes and rays that break intersectors, each in its own way.");
+    let hung = app.gallery.hung.as_ref().map(|hung| (hung.family, hung.number, hung.of));
+    let (family, number, of) = hung.unwrap_or((0, 0, 1));
+    let mut wanted = None;
+    ui.horizontal(|ui| {
+        if ui.button("< family").on_hover_text("The family before").clicked() {
+            wanted = Some((family.checked_sub(1).unwrap_or(all().len() - 1), 0));
+        }
+        if ui.button("family >").on_hover_text("The next family").clicked() {
+            wanted = Some((hung.map_or(0, |_| (family + 1) % all().len()), 0));
+        }
+        if ui.add_enabled(hung.is_some() && number > 0, egui::Button::new("< scene")).clicked() {
+            wanted = Some((family, number - 1));
+        }
+        if ui.add_enabled(hung.is_some() && number + 1 < of, egui::Button::new("scene >")).clicked() {
+            wanted = Some((family, number + 1));
+        }
+    });
+    let name = |i: usize| format!("{} {}", all()[i].number, all()[i].name);
+    let selected = hung.map_or_else(|| "choose one".to_owned(), |_| name(family));
+    ComboBox::from_label("family").selected_text(selected).width(220.0).height(400.0).show_ui(ui, |ui| {
+        for i in 0..all().len() {
+            if ui.selectable_label(hung.is_some() && i == family, name(i)).on_hover_text(all()[i].stresses).clicked() {
+                wanted = Some((i, 0));
+            }
+        }
+    });
+    if let Some((family, number)) = wanted {
+        app.gallery.open(ui.ctx(), &app.device, family, number);
+    }
+    if hung.is_some() {
+        ui.add_space(4.0);
+        ui.label(RichText::new(all()[family].stresses).strong());
+        ui.label(format!(
+            "Scene {} of {of}: {} primitives, seen from where its first ray starts.",
+            number + 1,
+            app.world.scene.len()
+        ));
+        ui.scope(|ui| rays(app, ui));
+    }
+    ui.add_space(8.0);
+    distance(app, ui);
+}
+
+/// The rays that the family aims, and how far each method is off.
+fn rays(app: &mut App, ui: &mut Ui) {
+    ui.add_space(4.0);
+    ui.label("The rays that it aims, with each method's error in ULP. Click one to read its calculation.");
+    // Columns stay columns in a narrow panel: it scrolls.
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    let head = SHOWN.map(|precision| format!("{:>9}", precision.name())).concat();
+    ui.label(RichText::new(format!("{:>3} {:>13}{head}", "ray", "exact t")).monospace());
+    let Some(Hung { rays, .. }) = &app.gallery.hung else { return };
+    let mut picked = None;
+    let height = ui.text_style_height(&egui::TextStyle::Monospace);
+    ScrollArea::vertical().id_salt("rays").max_height(260.0).show_rows(ui, height, rays.len(), |ui, shown| {
+        for i in shown {
+            let ray = &rays[i];
+            let chosen = app.inspector.picked.as_ref().is_some_and(|p| p.ray == ray.ray && p.pixel.is_none());
+            let text = RichText::new(row(i, ray)).monospace();
+            if ui.selectable_label(chosen, text).clicked() {
+                picked = Some(ray.ray);
+            }
+        }
+    });
+    if let Some(ray) = picked {
+        app.settings.side = Some(crate::settings::Side::Inspector);
+        app.inspector.pick(ui.ctx(), &app.world, Picked { ray, pixel: None }, None);
+    }
+}
+
+fn row(i: usize, ray: &Answered) -> String {
+    let exact = ray.hits[5];
+    let t = if exact.is_hit() { format!("{:.6e}", exact.t) } else { "miss".to_owned() };
+    let place = |precision| Precision::ALL.iter().position(|&p| p == precision).unwrap_or(0);
+    let errors = SHOWN.map(|precision| format!("{:>9}", error(&exact, &ray.hits[place(precision)])));
+    format!("{i:>3} {t:>13}{}", errors.concat())
+}
+
+/// The error of an answer in a word.
+fn error(exact: &Hit, hit: &Hit) -> String {
+    match Verdict::of(exact, hit) {
+        Verdict::Miss => "·".to_owned(),
+        Verdict::Hit => many(ulp_distance(exact.t, hit.t)),
+        Verdict::FalseHit => "hit?".to_owned(),
+        Verdict::FalseMiss => "miss?".to_owned(),
+        Verdict::Another => "other?".to_owned(),
+    }
+}
+
+/// Walking away from whatever is shown.
+fn distance(app: &mut App, ui: &mut Ui) {
+    ui.heading("Distance");
+    ui.label(
+        "Walk away from the scene: the zoom keeps its size, and single precision does not keep its digits. \
+         Choose the mode error and the method textbook, then fast, then exact.",
+    );
+    let mut decades = app.gallery.decades;
+    let slider =
+        Slider::new(&mut decades, 0.0..=8.0).custom_formatter(|x, _| format!("10^{x:.1}")).text("times its size away");
+    if ui.add(slider).changed() {
+        app.gallery.decades = decades;
+        app.camera = navigate::walk_away(&app.camera, &app.world.scene, decades);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_words_where_the_answer_is_wrong() {
+        let hit = Hit { t: 1.0, u: 0.0, v: 0.0, primitive: 3 };
+        let off = Hit { t: f32::from_bits(1.0_f32.to_bits() + 5), ..hit };
+        let words = [
+            (hit, off),
+            (hit, Hit { primitive: 4, ..hit }),
+            (hit, Hit::MISS),
+            (Hit::MISS, hit),
+            (Hit::MISS, Hit::MISS),
+        ];
+        assert_eq!(words.map(|(exact, hit)| error(&exact, &hit)), ["5", "other?", "miss?", "hit?", "·"]);
+    }
+}

@@ -1,0 +1,84 @@
+//! What runs, and how fast.
+
+use egui::{Align, Layout, ProgressBar, RichText, Spinner, Ui};
+use rayproof::Precision;
+
+use super::view::grouped;
+use crate::app::App;
+use crate::model::view::{Progress, State};
+
+pub(super) fn show(app: &App, ui: &mut Ui) {
+    let (progress, size) = {
+        let picture = app.tracer.picture();
+        (picture.progress.clone(), picture.size)
+    };
+    ui.horizontal(|ui| {
+        let scene = &app.world.scene;
+        let (triangles, spheres) = (grouped(scene.triangle_count()), grouped(scene.sphere_count()));
+        ui.label(RichText::new(&app.world.name).strong());
+        ui.label(format!("{triangles} triangles, {spheres} spheres"));
+        ui.separator();
+        if app.opening.is_some() || app.gallery.is_opening() {
+            ui.add(Spinner::new().size(12.0));
+            ui.label("opening");
+        }
+        doing(ui, &progress, size);
+        if let Some((notice, _)) = &app.notice {
+            ui.separator();
+            ui.label(RichText::new(notice).strong());
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| device(app, ui));
+    });
+}
+
+/// How far the picture is.
+fn doing(ui: &mut Ui, progress: &Progress, [width, height]: [u32; 2]) {
+    match &progress.state {
+        State::Idle => {}
+        State::Building(source) => {
+            ui.add(Spinner::new().size(12.0));
+            ui.label(format!("building the tree for {}", source.precision.name()));
+        }
+        State::Tracing => {
+            #[expect(clippy::cast_possible_truncation, reason = "a share")]
+            ui.add(ProgressBar::new(progress.traced as f32).desired_width(80.0).desired_height(8.0));
+            ui.label("tracing");
+        }
+        State::Judging => {
+            ui.add(Spinner::new().size(12.0));
+            ui.label("the oracle judges");
+        }
+        State::Done => {
+            ui.label(format!("{width} × {height}, done"));
+        }
+        State::Failed(why) => {
+            ui.colored_label(ui.visuals().error_fg_color, why);
+        }
+    }
+    if progress.rate > 0.0 {
+        let seconds = |s: Option<f64>| s.map_or_else(|| "–".to_owned(), |s| format!("{:.0} ms", s * 1e3));
+        ui.label(format!("{:.1} M rays/s", progress.rate / 1e6)).on_hover_text(format!(
+            "From the last move: first picture after {}, whole after {}",
+            seconds(progress.first),
+            seconds(progress.whole)
+        ));
+    }
+}
+
+/// What traces, and how often the window is painted.
+fn device(app: &App, ui: &mut Ui) {
+    let info = app.device.info(Precision::Exact);
+    let notes = info.notes.join("\n");
+    let label = ui.label(&info.name);
+    let hover = format!("Traces: {}\nDriver: {}\n{notes}", info.name, info.driver);
+    label.on_hover_text(hover.trim());
+    if !notes.is_empty() {
+        ui.label(RichText::new(notes).weak());
+        ui.separator();
+    }
+    if let (Some(rate), Some([median, most])) = (app.pulse.rate(), app.pulse.milliseconds()) {
+        ui.separator();
+        ui.label(format!("{rate:.0} frames/s"))
+            .on_hover_text(format!("Work in a frame: {median:.1} ms (median), {most:.1} ms (95 %)"));
+    }
+}

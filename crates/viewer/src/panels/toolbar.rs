@@ -1,0 +1,120 @@
+//! Opening scenes, saving pictures.
+
+use std::fs::File;
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use egui::{ComboBox, Context, ThemePreference, Ui};
+use image::ExtendedColorType::Rgb8;
+use image::ImageEncoder as _;
+use image::codecs::png::PngEncoder;
+
+use crate::app::App;
+use crate::model::task::Task;
+use crate::model::world::World;
+use crate::settings::Side;
+
+/// The endings that can be opened.
+const ENDINGS: [&str; 6] = ["obj", "ply", "stl", "gltf", "glb", "toml"];
+
+pub(super) fn show(app: &mut App, ui: &mut Ui) {
+    ui.horizontal_wrapped(|ui| {
+        if ui.button("Open…").on_hover_text("A mesh (.obj .ply .stl .gltf .glb) or a scene file (.toml)").clicked() {
+            choose(app, ui.ctx());
+        }
+        let label = ui.label("or path");
+        let typed = egui::TextEdit::singleline(&mut app.path).hint_text("bunny.ply").desired_width(160.0);
+        let field = ui.add(typed).labelled_by(label.id);
+        if field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter)) && !app.path.trim().is_empty() {
+            let path = PathBuf::from(app.path.trim());
+            app.open(ui.ctx(), &path);
+        }
+        if ui.button("Save picture").on_hover_text("As PNG, without the window around it (P)").clicked() {
+            save_picture(app, ui.ctx());
+        }
+        ui.separator();
+        for (side, name) in
+            [(Side::Inspector, "Inspector"), (Side::Gallery, "Gallery"), (Side::Plot, "Plot"), (Side::Help, "Help")]
+        {
+            let open = app.settings.side == Some(side);
+            if ui.selectable_label(open, name).on_hover_text("Click again to close it").clicked() {
+                app.settings.side = Some(side).filter(|_| !open);
+            }
+        }
+        ui.separator();
+        theme(ui);
+    });
+    if let Some(fault) = app.fault.clone() {
+        ui.separator();
+        ui.horizontal_wrapped(|ui| {
+            ui.colored_label(ui.visuals().error_fg_color, "This scene could not be opened.");
+            if ui.button("Dismiss").clicked() {
+                app.fault = None;
+            }
+        });
+        egui::ScrollArea::vertical().max_height(120.0).show(ui, |ui| ui.label(fault));
+    }
+}
+
+/// Light, dark, or as the system is.
+fn theme(ui: &mut Ui) {
+    let mut theme = ui.ctx().options(|options| options.theme_preference);
+    let names =
+        [(ThemePreference::System, "system"), (ThemePreference::Light, "light"), (ThemePreference::Dark, "dark")];
+    let name = names.iter().find(|(value, _)| *value == theme).map_or("", |(_, name)| name);
+    ComboBox::from_label("theme").width(70.0).selected_text(name).show_ui(ui, |ui| {
+        for (value, name) in names {
+            ui.selectable_value(&mut theme, value, name);
+        }
+    });
+    ui.ctx().set_theme(theme);
+}
+
+/// Asks for a file, beside the window.
+fn choose(app: &mut App, context: &Context) {
+    let (device, start) = (app.device.clone(), app.settings.scene.clone());
+    app.opening = Some(Task::start(context, move || {
+        let mut dialog = rfd::FileDialog::new().add_filter("scenes", &ENDINGS);
+        if let Some(folder) = start.as_deref().and_then(Path::parent) {
+            dialog = dialog.set_directory(folder);
+        }
+        match dialog.pick_file() {
+            Some(path) => {
+                let world = World::open(&path, device);
+                (path, world)
+            }
+            // Nothing chosen; or no dialog to be had.
+            None => (PathBuf::new(), Err(NOTHING.to_owned())),
+        }
+    }));
+}
+
+/// What is said where a dialog gave no file.
+pub(crate) const NOTHING: &str = "No file was chosen. Where no dialog opens, type the path, or drop the file here.";
+
+/// Writes the picture into a new file of the working folder.
+pub(crate) fn save_picture(app: &mut App, context: &Context) {
+    let (size, pixels) = {
+        let picture = app.tracer.picture();
+        (picture.size, app.composed(&picture))
+    };
+    let stem = Path::new(&app.world.name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let stem = stem.filter(|_| app.gallery.hung.is_none()).unwrap_or_else(|| "picture".to_owned());
+    let mode = app.settings.look.mode.name();
+    let name = |n: usize| PathBuf::from(format!("{stem}-{mode}-{n}.png"));
+    let Some(path) = (1..10_000).map(name).find(|path| !path.exists()) else { return };
+    let told = match write_png(&path, size, pixels.as_flattened()) {
+        Ok(()) => format!("saved {}", std::path::absolute(&path).unwrap_or(path).display()),
+        Err(why) => format!("{}: {why}", path.display()),
+    };
+    app.tell(context, told);
+}
+
+/// Writes red, green and blue as a PNG.
+///
+/// # Errors
+/// When the file cannot be written.
+pub(crate) fn write_png(path: &Path, [width, height]: [u32; 2], rgb: &[u8]) -> Result<(), String> {
+    let file = File::create(path).map_err(|e| e.to_string())?;
+    PngEncoder::new(BufWriter::new(file)).write_image(rgb, width, height, Rgb8).map_err(|e| e.to_string())
+}

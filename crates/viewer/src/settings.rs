@@ -1,0 +1,48 @@
+//! What is kept from one run to the next.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::model::look::Look;
+
+/// What is kept from one run to the next.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct Settings {
+    pub(crate) scene: Option<PathBuf>,
+    pub(crate) look: Look,
+    /// The panel on the right, where one is open.
+    pub(crate) side: Option<Side>,
+    /// Where the split is, from 0 at the left to 1.
+    pub(crate) split_at: f32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { scene: None, look: Look::default(), side: Some(Side::Inspector), split_at: 0.5 }
+    }
+}
+
+/// A panel on the right.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Side {
+    Inspector,
+    Gallery,
+    Plot,
+    Help,
+}
+
+const KEY: &str = "rayproof-viewer";
+
+impl Settings {
+    /// Those of the last run.
+    pub(crate) fn kept(storage: &dyn eframe::Storage) -> Option<Self> {
+        eframe::get_value(storage, KEY)
+    }
+
+    /// Keeps them for the next.
+    pub(crate) fn keep(&self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, KEY, self);
+    }
+}
