@@ -12,6 +12,7 @@ mod render;
 mod report;
 mod streams;
 mod usage;
+mod viewer;
 
 use std::fs;
 use std::io::Write as _;
