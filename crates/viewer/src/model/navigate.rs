@@ -75,6 +75,17 @@ pub(crate) fn focus(camera: &Camera, point: Vec3) -> Camera {
     moved(camera, camera.eye.as_dvec3(), point.as_dvec3())
 }
 
+/// Where a point is in a picture, in shares of its width and height from the upper left corner; none behind the eye.
+pub(crate) fn project(camera: &Camera, [width, height]: [u32; 2], point: DVec3) -> Option<[f64; 2]> {
+    let frame = Frame::of(camera);
+    let to = point - camera.eye.as_dvec3();
+    let ahead = to.dot(frame.forward);
+    let half = (f64::from(camera.fov_y).to_radians() * 0.5).tan();
+    let [x, y] = [frame.right, frame.up].map(|axis| to.dot(axis) / (ahead * half));
+    let shape = f64::from(width) / f64::from(height);
+    (ahead > 0.0).then(|| [0.5 + 0.5 * x / shape, 0.5 - 0.5 * y])
+}
+
 /// Zooms: the field of view is multiplied.
 pub(crate) fn zoom(camera: &Camera, factor: f64) -> Camera {
     let half = (f64::from(camera.fov_y).to_radians() * 0.5).tan() * factor;
@@ -132,6 +143,19 @@ mod tests {
         // The picture's height at the target is 8 tan(30 degrees).
         near(pan(&CAMERA, 1.0, 0.0).target, [8.0 * 30.0_f32.to_radians().tan(), 0.0, 0.0]);
         assert!((zoom(&CAMERA, 0.5).fov_y.to_radians() * 0.5).tan() * 2.0 - 30.0_f32.to_radians().tan() < 1e-6);
+    }
+
+    #[test]
+    fn points_are_found_where_their_rays_go_through() {
+        let (size, pixels) = ([640, 480], CAMERA.pixels(640, 480));
+        for (x, y) in [(0, 0), (639, 100), (320, 479), (7, 300)] {
+            let ray = pixels.ray(x, y);
+            let point = ray.origin.as_dvec3() + 3.0 * ray.direction.as_dvec3();
+            let [u, v] = project(&CAMERA, size, point).unwrap_or_default();
+            let off = [u * 640.0 - f64::from(x) - 0.5, v * 480.0 - f64::from(y) - 0.5];
+            assert!(off.iter().all(|o| o.abs() < 1e-3), "{off:?}");
+        }
+        assert_eq!(project(&CAMERA, size, DVec3::new(0.0, 0.0, 9.0)), None);
     }
 
     #[test]

@@ -144,14 +144,18 @@ fn names(app: &App, ui: &Ui, rect: Rect) {
     }
 }
 
-/// Where the picked ray goes through the picture.
+/// What the picked ray hits; where it hits nothing, a point on its way.
 fn marker(app: &App, ui: &Ui, rect: Rect, size: [u32; 2]) {
-    let Some(Picked { pixel: Some(([x, y], camera, of)), .. }) = &app.inspector.picked else { return };
-    if *camera != app.camera || *of != size {
-        return;
-    }
-    let share = vec2((*x as f32 + 0.5) / size[0] as f32, (*y as f32 + 0.5) / size[1] as f32);
-    let at = rect.min + share * rect.size();
+    let Some(picked) = &app.inspector.picked else { return };
+    let (origin, direction) = (picked.ray.origin.as_dvec3(), picked.ray.direction.as_dvec3());
+    let t = match &app.inspector.result {
+        Some(Ok(inspection)) if inspection.ray == picked.ray && inspection.truth.is_hit() => inspection.truth.t,
+        _ if picked.ray.origin == app.camera.eye => 1.0,
+        _ => return,
+    };
+    let Some([x, y]) = navigate::project(&app.camera, size, origin + f64::from(t) * direction) else { return };
+    #[expect(clippy::cast_possible_truncation, reason = "a place on the screen")]
+    let at = rect.min + vec2(x as f32, y as f32) * rect.size();
     let painter = ui.painter().with_clip_rect(rect);
     for (width, color) in [(3.0, Color32::BLACK), (1.0, Color32::WHITE)] {
         painter.circle_stroke(at, 7.0, Stroke::new(width, color));
