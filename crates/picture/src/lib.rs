@@ -14,4 +14,6 @@
 
 pub mod color;
 pub mod normal;
+#[cfg(test)]
+mod seen;
 pub mod shade;

@@ -1,6 +1,7 @@
 //! The viewer without a window: every control is found by its label and used, and what it draws is compared.
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
+mod access;
 mod camera;
 mod faults;
 mod modes;

@@ -1,5 +1,7 @@
 //! A window, painted by whatever there is.
 
+use std::path::PathBuf;
+
 use eframe::egui_wgpu::{WgpuSetup, WgpuSetupExisting};
 use eframe::{NativeOptions, Renderer};
 use egui::ViewportBuilder;
@@ -24,15 +26,19 @@ enum Painter {
 /// # Errors
 /// When nothing can paint one; the text says what was tried.
 pub(crate) fn open(cli: &Cli, device: &Device) -> Result<(), String> {
-    let shared = device.handles().filter(|_| !device.is_software());
-    let painters = match (cli.painter, shared) {
-        (args::Painter::Auto, Some(handles)) => vec![Painter::Shared(Box::new(handles)), Painter::Wgpu, Painter::Glow],
+    let painters = match (cli.painter, device.handles()) {
+        (args::Painter::Auto, Some(handles)) if !device.is_software() => {
+            vec![Painter::Shared(Box::new(handles)), Painter::Wgpu, Painter::Glow]
+        }
         // Without a GPU both are Mesa's processor drivers, and that of OpenGL paints five times as fast.
-        (args::Painter::Auto, None) => vec![Painter::Glow, Painter::Wgpu],
+        (args::Painter::Auto, _) => vec![Painter::Glow, Painter::Wgpu],
         (args::Painter::Vulkan, Some(handles)) => vec![Painter::Shared(Box::new(handles))],
         (args::Painter::Vulkan, None) => vec![Painter::Wgpu],
         (args::Painter::Opengl, _) => vec![Painter::Glow],
     };
+    // A run without a user neither depends on what the last one left nor changes it.
+    let unattended = cli.screenshot.is_some() || cli.measure.is_some();
+    let kept = unattended.then(|| std::env::temp_dir().join(format!("rayproof-viewer-{}.ron", std::process::id())));
     let mut tried = Vec::new();
     for painter in painters {
         let name = match painter {
@@ -49,29 +55,32 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<(), String> {
         };
         let make =
             move |window: &eframe::CreationContext<'_>| Ok(Box::new(App::new(window, start)) as Box<dyn eframe::App>);
-        match eframe::run_native("rayproof-viewer", options(cli, painter), Box::new(make)) {
-            Ok(()) => return Ok(()),
+        match eframe::run_native("rayproof-viewer", options(cli, painter, kept.clone()), Box::new(make)) {
+            Ok(()) => {
+                if let Some(kept) = kept {
+                    let _ = std::fs::remove_file(kept);
+                }
+                return Ok(());
+            }
             Err(error) => tried.push(format!("  with {name}: {error}")),
         }
     }
     Err(tried.join("\n"))
 }
 
-fn options(cli: &Cli, painter: Painter) -> NativeOptions {
+/// The window's options; what is kept from run to run goes to a place of its own where one is given.
+fn options(cli: &Cli, painter: Painter, kept: Option<PathBuf>) -> NativeOptions {
     let [width, height] = cli.window.unwrap_or([1280, 800]).map(|side| side as f32);
     let viewport = ViewportBuilder::default()
         .with_title("Rayproof")
         .with_app_id("rayproof-viewer")
         .with_inner_size([width, height])
         .with_drag_and_drop(true);
-    let unattended = cli.screenshot.is_some() || cli.measure.is_some();
     let mut options = NativeOptions {
         viewport,
         renderer: if matches!(painter, Painter::Glow) { Renderer::Glow } else { Renderer::Wgpu },
-        // A run without a user neither depends on what the last one left nor changes it.
-        persist_window: !unattended && cli.window.is_none(),
-        persistence_path: unattended
-            .then(|| std::env::temp_dir().join(format!("rayproof-viewer-{}", std::process::id()))),
+        persist_window: kept.is_none() && cli.window.is_none(),
+        persistence_path: kept,
         ..NativeOptions::default()
     };
     if let Painter::Shared(handles) = painter {

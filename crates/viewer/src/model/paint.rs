@@ -146,7 +146,59 @@ impl Errors {
 
 #[cfg(test)]
 mod tests {
+    use rayproof::scene::Camera;
+
     use super::*;
+    use crate::model::layer::{Ask, STEPS};
+    use crate::model::look::Source;
+
+    /// A layer of hits, each of a primitive of its own, with the passes down to a step done and rows of the next.
+    fn layer(step: u32, rows: u32, first: u32) -> Layer {
+        let [width, height] = SIZE;
+        let mut layer = Layer::new(Ask::Hits(Source::EXACT), (width * height) as usize);
+        let pass = STEPS.iter().position(|&s| s == step).unwrap_or(0);
+        layer.advance(pass, height, height);
+        if rows > 0 {
+            layer.advance(pass + 1, rows, height);
+        }
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        let answered =
+            |(x, y): (u32, u32)| layer.step_at(y).is_some_and(|s| x.is_multiple_of(s) && y.is_multiple_of(s));
+        let hit =
+            |(place, primitive)| if answered(place) { Hit { t: 1.0, u: 0.0, v: 0.0, primitive } } else { Hit::MISS };
+        layer.answers = Answers::Hits(places.zip(first..).map(hit).collect());
+        layer
+    }
+
+    const SIZE: [u32; 2] = [10, 9];
+
+    #[test]
+    fn what_is_not_answered_yet_looks_like_its_neighbour() {
+        let scene = Scene::default();
+        let pixels = Camera::framing(&scene).pixels(SIZE[0], SIZE[1]);
+        let paint = |mode, shown: &Layer, against: Option<&Layer>| {
+            let side = Side { scene: &scene, pixels, size: SIZE, mode, shown, against };
+            (side.paint(), side.figures().is_some())
+        };
+        let place = |x: u32, y: u32| (y * SIZE[0] + x) as usize;
+        // Every fourth pixel is there; in the upper four rows every second.
+        let shown = layer(4, 4, 0);
+        let (colors, whole) = paint(Mode::Primitive, &shown, None);
+        for (x, y) in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| (x, y))) {
+            let step = if y < 4 { 2 } else { 4 };
+            let from = shown.hits()[place(x - x % step, y - y % step)];
+            assert_eq!(colors[place(x, y)], shade::by_primitive(&from), "{x}, {y}");
+        }
+        assert!(!whole);
+        // Two layers are compared where both are answered: else neighbours would be compared.
+        let (exact, coarse) = (layer(1, 0, 0), layer(4, 0, 0));
+        assert_eq!(paint(Mode::Verdict, &exact, Some(&coarse)).0, vec![Verdict::Hit.color(); colors.len()]);
+        assert_eq!(paint(Mode::Verdict, &coarse, Some(&exact)).0, vec![Verdict::Hit.color(); colors.len()]);
+        let (all, whole) = paint(Mode::Verdict, &exact, Some(&layer(1, 0, 1)));
+        assert!(whole && all == vec![Verdict::Another.color(); colors.len()]);
+        let nothing = Layer::new(Ask::Hits(Source::EXACT), colors.len());
+        assert_eq!(paint(Mode::Primitive, &nothing, None).0, vec![BACKGROUND; colors.len()]);
+    }
 
     #[test]
     fn errors_are_counted_by_verdict() {

@@ -16,7 +16,8 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     let place = ui.available_rect_before_wrap();
     let scale = ui.pixels_per_point();
     let rect = fit(place, app.size, scale);
-    let size = app.size.unwrap_or_else(|| pixels(rect, scale, ui.input(|i| i.max_texture_side)));
+    let most = ui.input(|i| i.max_texture_side);
+    let size = app.size.map_or_else(|| pixels(rect, scale, most), |size| limited(app, ui, size, most));
     ui.painter().rect_filled(place, 0.0, ui.visuals().extreme_bg_color);
     let response = ui.interact(rect, ui.scope_id().with("picture"), Sense::click_and_drag());
     let look = app.settings.look;
@@ -41,6 +42,16 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     }
     legend::paint(ui.painter(), rect, look.mode);
     marker(app, ui, rect, size);
+}
+
+/// A size that was asked for, if what paints the window can hold it.
+fn limited(app: &mut App, ui: &Ui, size: [u32; 2], most: usize) -> [u32; 2] {
+    let most = u32::try_from(most).unwrap_or(u32::MAX);
+    if size.iter().any(|&side| side > most) {
+        app.size = Some(size.map(|side| side.min(most)));
+        app.tell(ui.ctx(), format!("a picture has at most {most} × {most} pixels here"));
+    }
+    size.map(|side| side.min(most))
 }
 
 /// The pixels of the screen in a rectangle.
