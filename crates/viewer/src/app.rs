@@ -19,7 +19,7 @@ use crate::model::view::View;
 use crate::model::world::World;
 use crate::panels;
 use crate::pulse::Pulse;
-use crate::script::Script;
+use crate::script::{Panel, Script};
 use crate::settings::{Settings, Side};
 
 /// What the viewer starts with.
@@ -32,9 +32,14 @@ pub struct Start {
     pub look: Option<Look>,
     /// The size of the picture in pixels; else that of its place in the window.
     pub size: Option<[u32; 2]>,
+    /// Which panel is open on the right; else as the last time.
+    pub panel: Option<Panel>,
     /// What is done without a user.
     pub script: Script,
 }
+
+/// The methods' speed and error, and the number of the view that they were measured on.
+type Measurement = (u64, Result<Vec<Measured>, String>);
 
 /// The viewer.
 pub struct App {
@@ -54,13 +59,14 @@ pub struct App {
     pub(crate) canvas: Canvas,
     pub(crate) inspector: Inspector,
     pub(crate) gallery: Gallery,
-    pub(crate) measuring: Option<Task<Result<Vec<Measured>, String>>>,
-    /// The methods' speed and error, and the number of the view that they were measured on.
-    pub(crate) measured: Option<(u64, Result<Vec<Measured>, String>)>,
+    pub(crate) measuring: Option<Task<Measurement>>,
+    pub(crate) measured: Option<Measurement>,
     pub(crate) pulse: Pulse,
     /// Something to tell for a while.
     pub(crate) notice: Option<(String, f64)>,
     pub(crate) size: Option<[u32; 2]>,
+    /// Whether the picture is to be saved as soon as it is whole.
+    pub(crate) saving: bool,
     pub(crate) script: Script,
 }
 
@@ -71,6 +77,7 @@ impl App {
         let kept = window.storage.and_then(Settings::kept);
         let mut settings = kept.unwrap_or_default();
         settings.look = start.look.unwrap_or(settings.look);
+        settings.side = start.panel.map_or(settings.side, Panel::side);
         legible(&window.egui_ctx);
         let context = window.egui_ctx.clone();
         let world = Arc::new(World::welcome(start.device.clone()));
@@ -91,6 +98,7 @@ impl App {
             pulse: Pulse::default(),
             notice: None,
             size: start.size,
+            saving: false,
             script: start.script,
             settings,
         };
@@ -121,6 +129,12 @@ impl App {
         self.measuring = None;
     }
 
+    /// Back to where the scene is seen from at first.
+    pub(crate) fn frame(&mut self) {
+        self.camera = self.world.camera;
+        self.gallery.decades = 0.0;
+    }
+
     /// Takes in what was done beside the window.
     fn collect(&mut self, context: &egui::Context) {
         match take(&mut self.opening) {
@@ -143,12 +157,12 @@ impl App {
         if let Some(point) = self.canvas.focused() {
             self.camera = navigate::focus(&self.camera, point);
         }
-        let number = self.asked.as_ref().map_or(0, |(_, number)| *number);
         match take(&mut self.measuring) {
             None => {}
-            Some(Ok(measured)) => self.measured = Some((number, measured)),
-            Some(Err(why)) => self.measured = Some((number, Err(why.to_owned()))),
+            Some(Ok(measured)) => self.measured = Some(measured),
+            Some(Err(why)) => self.measured = Some((0, Err(why.to_owned()))),
         }
+        self.tracer.rest(self.measuring.is_some());
         let dropped = context.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
             self.open(context, &path);
@@ -181,9 +195,10 @@ impl App {
         if known || self.measuring.is_some() || !self.is_whole() {
             return;
         }
-        let view = view.clone();
+        let (view, number) = (view.clone(), *number);
+        self.tracer.rest(true);
         self.measuring = Some(Task::start(context, move || {
-            measure(&view.world, &view.camera, view.size).map_err(|e| e.to_string())
+            (number, measure(&view.world, &view.camera, view.size).map_err(|e| e.to_string()))
         }));
     }
 }
@@ -208,6 +223,10 @@ impl eframe::App for App {
         panels::show(self, ui);
         if self.settings.side == Some(Side::Plot) {
             self.measure(&context);
+        }
+        if self.saving && self.is_whole() {
+            self.saving = false;
+            panels::toolbar::save_picture(self, &context);
         }
         Script::step(self, &context);
     }

@@ -16,7 +16,8 @@ Examples:
   rayproof-viewer scene.toml --mode error --method fast
   rayproof-viewer --mode error --method textbook --distance 4 --screenshot error.png
 
-F1 in the window lists the keys. Exit codes: 0 done, 1 no window could be opened, 2 usage, 4 no such device.")]
+F1 in the window lists the keys. Exit codes: 0 done, 1 failed while running or no window could be opened, 2 usage, 4 no
+such device, 5 the scene cannot be read (where the window closes by itself; else it says so).")]
 pub(crate) struct Cli {
     /// The scene: .obj .ply .stl .gltf .glb .toml; else the last one that was open
     #[arg(value_name = "SCENE")]
@@ -56,7 +57,7 @@ pub(crate) struct Cli {
     pub(crate) family: Option<[usize; 2]>,
 
     /// Walk away by so many powers of ten of the scene's size, zoomed so that it looks the same
-    #[arg(long, value_name = "DECADES", value_parser = decades)]
+    #[arg(long, value_name = "DECADES", value_parser = decades, allow_hyphen_values = true)]
     pub(crate) distance: Option<f64>,
 
     /// Inspect a pixel of the picture, counted from its upper left corner
@@ -68,11 +69,11 @@ pub(crate) struct Cli {
     pub(crate) panel: Option<Panel>,
 
     /// When all of this is shown, write a picture of the window (.png) and close it
-    #[arg(long, value_name = "PNG")]
+    #[arg(long, value_name = "PNG", value_parser = png)]
     pub(crate) screenshot: Option<PathBuf>,
 
     /// Orbit for so many seconds, print how fast pictures and frames came as JSON, and close the window
-    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_hyphen_values = true)]
     pub(crate) measure: Option<f64>,
 }
 
@@ -86,9 +87,14 @@ pub(crate) enum Painter {
 }
 
 impl Cli {
+    /// Whether nobody looks at the window: it closes by itself.
+    pub(crate) const fn is_unattended(&self) -> bool {
+        self.screenshot.is_some() || self.measure.is_some()
+    }
+
     /// How the scene is shown, where anything is said about it.
     pub(crate) fn look(&self) -> Option<Look> {
-        if self.mode.is_none() && self.method.is_none() && self.against.is_none() && self.script().is_none() {
+        if self.mode.is_none() && self.method.is_none() && self.against.is_none() && !self.is_unattended() {
             return None;
         }
         let mut look = Look { mode: self.mode.unwrap_or_default(), ..Look::default() };
@@ -100,12 +106,11 @@ impl Cli {
 
     /// What is done without a user; none where the window is for one.
     pub(crate) fn script(&self) -> Option<Script> {
-        let unattended = self.screenshot.is_some() || self.measure.is_some();
-        let steers = self.family.is_some() || self.distance.is_some() || self.inspect.is_some() || self.panel.is_some();
-        (unattended || steers).then(|| {
+        let steers = self.family.is_some() || self.distance.is_some() || self.inspect.is_some();
+        (self.is_unattended() || steers).then(|| {
             let mut script = Script::default();
             (script.family, script.distance, script.inspect) = (self.family, self.distance, self.inspect);
-            (script.measure, script.panel) = (self.measure, self.panel);
+            script.measure = self.measure;
             script.screenshot.clone_from(&self.screenshot);
             script
         })
@@ -147,6 +152,12 @@ fn family(text: &str) -> Result<[usize; 2], String> {
     both.map(<[usize; 2]>::from).ok_or_else(|| "give N or N/SCENE, with N from 1 to 42, for example 7/2".to_owned())
 }
 
+fn png(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    if is_png { Ok(path) } else { Err("a picture is a PNG; give a name that ends in .png".to_owned()) }
+}
+
 fn decades(text: &str) -> Result<f64, String> {
     let known = text.parse::<f64>().ok().filter(|x| (0.0..=8.0).contains(x));
     known.ok_or_else(|| "give a number from 0 to 8".to_owned())
@@ -179,6 +190,7 @@ mod tests {
             assert!(family(bad).is_err(), "{bad}");
         }
         assert!(decades("9").is_err() && decades("nan").is_err() && seconds("-1").is_err() && pixel("3").is_err());
+        assert!(png("x.PNG").is_ok() && png("x.txt").is_err() && png("png").is_err());
         assert!(precision("exact").is_ok() && precision("Exact").is_err() && panel("plots").is_err());
     }
 }

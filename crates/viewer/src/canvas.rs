@@ -7,6 +7,8 @@ use glam::Vec3;
 use rayproof::Precision;
 use rayproof::scene::{Hit, Ray};
 
+use crate::model::look::Look;
+use crate::model::paint::Figures;
 use crate::model::task::{Task, take};
 use crate::model::tracer::Tracer;
 use crate::model::view::Picture;
@@ -19,6 +21,10 @@ pub(crate) struct Canvas {
     /// The version of the picture that the textures hold.
     version: u64,
     pub(crate) size: [u32; 2],
+    /// How the picture is shown, which may not yet be how it is wanted.
+    pub(crate) look: Look,
+    /// About each side of the picture, when it is whole.
+    pub(crate) figures: [Option<Figures>; 2],
     /// Whether the pointer drags the split.
     pub(crate) splitting: bool,
     focusing: Option<Task<Option<Vec3>>>,
@@ -33,6 +39,8 @@ impl Canvas {
         }
         self.version = picture.version;
         self.size = picture.size;
+        self.look = picture.look;
+        self.figures.clone_from(&picture.figures);
         for (texture, pixels) in self.textures.iter_mut().zip(&picture.sides) {
             if pixels.is_empty() {
                 *texture = None;

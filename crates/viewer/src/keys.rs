@@ -54,13 +54,13 @@ pub(crate) fn act(app: &mut App, context: &Context) {
         app.settings.look.split ^= true;
     }
     if pressed(Key::F) {
-        app.camera = app.world.camera;
+        app.frame();
     }
     if pressed(Key::C) {
         panels::view::copy_camera(app, context);
     }
     if pressed(Key::P) {
-        panels::toolbar::save_picture(app, context);
+        app.saving = true;
     }
     fly(app, context);
 }

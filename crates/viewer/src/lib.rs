@@ -20,4 +20,4 @@ mod tests;
 
 pub use app::{App, Start};
 pub use model::look::{Look, Mode, Place, Source};
-pub use script::{Panel, Script};
+pub use script::{Failure, Panel, Script};

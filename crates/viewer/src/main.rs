@@ -7,7 +7,7 @@ use std::process::ExitCode;
 
 use clap::Parser as _;
 use rayproof::Device;
-pub(crate) use rayproof_viewer::{App, Look, Mode, Panel, Script, Source, Start};
+pub(crate) use rayproof_viewer::{App, Failure, Look, Mode, Panel, Script, Source, Start};
 
 #[expect(clippy::print_stderr, reason = "where no window opens, this is all there is")]
 fn main() -> ExitCode {
@@ -25,7 +25,11 @@ fn main() -> ExitCode {
         }
     };
     match window::open(&cli, &device) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(None) => ExitCode::SUCCESS,
+        Ok(Some(failure)) => {
+            eprintln!("error: {}", failure.message);
+            ExitCode::from(failure.code)
+        }
         Err(why) => {
             eprintln!("error: no window could be opened:\n{why}");
             ExitCode::FAILURE

@@ -25,10 +25,21 @@ pub struct Script {
     pub measure: Option<f64>,
     /// Write a picture of the window.
     pub screenshot: Option<PathBuf>,
-    /// Which panel is open.
-    pub panel: Option<Panel>,
+    /// Why it came to nothing.
+    pub failure: Arc<Mutex<Option<Failure>>>,
+    /// The scene of a family that was asked for, until it hangs.
+    hanging: Option<[usize; 2]>,
     motion: Option<Motion>,
     shot: Option<Shot>,
+}
+
+/// Why what was to be done could not be done.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// The exit code: 1 failed while running, 2 usage, 5 bad input.
+    pub code: u8,
+    /// What is wrong, and what would be right.
+    pub message: String,
 }
 
 /// A panel on the right.
@@ -44,6 +55,18 @@ pub enum Panel {
     Plot,
     /// Keys.
     Help,
+}
+
+impl Panel {
+    pub(crate) const fn side(self) -> Option<Side> {
+        match self {
+            Self::None => None,
+            Self::Inspector => Some(Side::Inspector),
+            Self::Gallery => Some(Side::Gallery),
+            Self::Plot => Some(Side::Plot),
+            Self::Help => Some(Side::Help),
+        }
+    }
 }
 
 /// A picture of the window that was asked for: first nothing, then the pixels.
@@ -88,8 +111,13 @@ impl Script {
             || self.distance.is_some()
             || self.inspect.is_some()
             || self.measure.is_some()
-            || self.screenshot.is_some()
-            || self.shot.is_some()
+            || self.hanging.is_some()
+            || self.is_unattended()
+    }
+
+    /// Whether there is nobody to look at the window.
+    const fn is_unattended(&self) -> bool {
+        self.measure.is_some() || self.screenshot.is_some() || self.shot.is_some()
     }
 
     /// Does the next thing, when the last one is done.
@@ -97,14 +125,8 @@ impl Script {
         if !app.script.runs() {
             return;
         }
-        if let Some(panel) = app.script.panel.take() {
-            app.settings.side = match panel {
-                Panel::None => None,
-                Panel::Inspector => Some(Side::Inspector),
-                Panel::Gallery => Some(Side::Gallery),
-                Panel::Plot => Some(Side::Plot),
-                Panel::Help => Some(Side::Help),
-            };
+        if let Some(why) = app.fault.clone().filter(|_| app.script.is_unattended()) {
+            return refuse(app, context, 5, why);
         }
         if app.script.motion.is_some() {
             return orbit(app, context);
@@ -113,8 +135,10 @@ impl Script {
             let pixels = shot.lock().unwrap_or_else(PoisonError::into_inner).take();
             if let Some(pixels) = pixels {
                 app.script.shot = None;
-                if let Some(path) = app.script.screenshot.take() {
-                    save(&pixels, &path);
+                if let Some(path) = app.script.screenshot.take()
+                    && let Err(why) = save(&pixels, &path)
+                {
+                    return refuse(app, context, 1, format!("{}: {why}", path.display()));
                 }
                 context.send_viewport_cmd(ViewportCommand::Close);
             }
@@ -127,15 +151,36 @@ impl Script {
     }
 }
 
+/// Ends without what was asked for; where somebody looks, it is told in the window.
+fn refuse(app: &mut App, context: &Context, code: u8, message: String) {
+    if !app.script.is_unattended() && code != 1 {
+        app.fault = Some(message);
+        return;
+    }
+    *app.script.failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(Failure { code, message });
+    app.script = Script { failure: app.script.failure.clone(), ..Script::default() };
+    context.send_viewport_cmd(ViewportCommand::Close);
+}
+
 fn next(app: &mut App, context: &Context) {
     if let Some([family, scene]) = app.script.family.take() {
+        app.script.hanging = Some([family, scene]);
         app.gallery.open(context, &app.device, family.saturating_sub(1), scene.saturating_sub(1));
+    } else if let Some([family, scene]) = app.script.hanging.take() {
+        let of = app.gallery.hung.as_ref().map_or(0, |hung| hung.of);
+        if scene > of {
+            refuse(app, context, 2, format!("--family {family}/{scene}: the family has {of} scenes"));
+        }
     } else if let Some(decades) = app.script.distance.take() {
         app.gallery.decades = decades;
         app.camera = navigate::walk_away(&app.camera, &app.world.scene, decades);
-    } else if let Some(pixel) = app.script.inspect.take() {
-        let size = app.canvas.size;
-        panels::pick(app, context, size, pixel);
+    } else if let Some([x, y]) = app.script.inspect.take() {
+        let [width, height] = app.canvas.size;
+        if x < width && y < height {
+            panels::pick(app, context, [width, height], [x, y]);
+        } else {
+            refuse(app, context, 2, format!("--inspect {x},{y}: the picture has {width} x {height} pixels"));
+        }
     } else if app.script.measure.is_some() {
         let now = Instant::now();
         app.script.motion = Some(Motion { start: now, view: 0, moves: vec![], frames: vec![], last: now });
@@ -203,11 +248,9 @@ fn print(app: &App, rays_per_second: f64) {
     }
 }
 
-#[expect(clippy::print_stderr, reason = "there is no window any more to tell it in")]
-fn save(image: &ColorImage, path: &std::path::Path) {
+/// Writes the window's picture.
+fn save(image: &ColorImage, path: &std::path::Path) -> Result<(), String> {
     let rgb: Vec<u8> = image.pixels.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]).collect();
     let size = image.size.map(|side| u32::try_from(side).unwrap_or(0));
-    if let Err(why) = panels::toolbar::write_png(path, size, &rgb) {
-        eprintln!("error: {}: {why}", path.display());
-    }
+    panels::toolbar::write_png(path, size, &rgb)
 }

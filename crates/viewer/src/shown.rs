@@ -9,7 +9,7 @@ impl App {
     pub(crate) fn is_whole(&self) -> bool {
         let picture = self.tracer.picture();
         let newest = self.asked.as_ref().is_some_and(|(_, number)| *number == picture.view);
-        newest && picture.figures[0].is_some() && picture.size[0] > 0
+        newest && picture.progress.whole.is_some()
     }
 
     /// Whether all that was asked for is shown, though the oracle may not have judged all of it.

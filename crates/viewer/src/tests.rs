@@ -35,6 +35,7 @@ fn viewer(scene: Option<&Path>, look: Look) -> Harness<'static, App> {
         scene: scene.map(Path::to_owned),
         look: Some(look),
         size: Some(SIZE),
+        panel: None,
         script: Script::default(),
     };
     viewer_of(start)

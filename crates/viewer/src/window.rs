@@ -8,7 +8,7 @@ use egui::ViewportBuilder;
 use rayproof::{Device, Handles};
 
 use crate::args::{self, Cli};
-use crate::{App, Start};
+use crate::{App, Failure, Start};
 
 /// What paints the window.
 #[derive(Clone)]
@@ -21,11 +21,14 @@ enum Painter {
     Glow,
 }
 
-/// Opens the window and stays until it is closed.
+/// Opens the window and stays until it is closed; returned is why what it was to do came to nothing.
 ///
 /// # Errors
 /// When nothing can paint one; the text says what was tried.
-pub(crate) fn open(cli: &Cli, device: &Device) -> Result<(), String> {
+pub(crate) fn open(cli: &Cli, device: &Device) -> Result<Option<Failure>, String> {
+    if cfg!(target_os = "linux") && ["DISPLAY", "WAYLAND_DISPLAY"].iter().all(|name| std::env::var_os(name).is_none()) {
+        return Err("  there is no display: neither DISPLAY nor WAYLAND_DISPLAY is set".to_owned());
+    }
     let painters = match (cli.painter, device.handles()) {
         (args::Painter::Auto, Some(handles)) if !device.is_software() => {
             vec![Painter::Shared(Box::new(handles)), Painter::Wgpu, Painter::Glow]
@@ -37,8 +40,8 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<(), String> {
         (args::Painter::Opengl, _) => vec![Painter::Glow],
     };
     // A run without a user neither depends on what the last one left nor changes it.
-    let unattended = cli.screenshot.is_some() || cli.measure.is_some();
-    let kept = unattended.then(|| std::env::temp_dir().join(format!("rayproof-viewer-{}.ron", std::process::id())));
+    let kept =
+        cli.is_unattended().then(|| std::env::temp_dir().join(format!("rayproof-viewer-{}.ron", std::process::id())));
     let mut tried = Vec::new();
     for painter in painters {
         let name = match painter {
@@ -51,8 +54,10 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<(), String> {
             scene: cli.scene.clone(),
             look: cli.look(),
             size: cli.size,
+            panel: cli.panel,
             script: cli.script().unwrap_or_default(),
         };
+        let failure = start.script.failure.clone();
         let make =
             move |window: &eframe::CreationContext<'_>| Ok(Box::new(App::new(window, start)) as Box<dyn eframe::App>);
         match eframe::run_native("rayproof-viewer", options(cli, painter, kept.clone()), Box::new(make)) {
@@ -60,7 +65,7 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<(), String> {
                 if let Some(kept) = kept {
                     let _ = std::fs::remove_file(kept);
                 }
-                return Ok(());
+                return Ok(failure.lock().ok().and_then(|failure| failure.clone()));
             }
             Err(error) => tried.push(format!("  with {name}: {error}")),
         }

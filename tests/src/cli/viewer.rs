@@ -16,7 +16,7 @@ const SIZE: [u32; 2] = [320, 240];
 fn viewer(device: &DeviceChoice, scene: &Path, look: Look) -> Harness<'static, App> {
     let device = Device::open(device).unwrap();
     let (scene, look) = (Some(scene.to_owned()), Some(look));
-    let start = Start { device, scene, look, size: Some(SIZE), script: Script::default() };
+    let start = Start { device, scene, look, size: Some(SIZE), panel: None, script: Script::default() };
     let mut viewer = Harness::builder().with_size([1280.0, 800.0]).build_eframe(|window| App::new(window, start));
     settle(&mut viewer);
     viewer

@@ -157,6 +157,9 @@ impl<'a> Job<'a> {
         self.progress.state = State::Judging;
         let (world, pixels, size) = (self.view.world.clone(), self.view.pixels(), self.view.size);
         loop {
+            while self.shared.rests.load(Ordering::Relaxed) && !self.is_stale() {
+                std::thread::sleep(Duration::from_millis(10));
+            }
             let Some(Answers::Hits(exact)) = self.layers.get_mut(&Ask::Hits(Source::EXACT)).map(|l| &mut l.answers)
             else {
                 return;

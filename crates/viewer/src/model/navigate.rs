@@ -37,10 +37,10 @@ fn turned(camera: &Camera, sight: DVec3, right: f64, up: f64) -> DVec3 {
     DQuat::from_axis_angle(pole, -right) * (DQuat::from_axis_angle(side, -lowered) * sight)
 }
 
-/// Around the target, by angles in radians.
+/// Around the target, the camera to the right and up, by angles in radians.
 pub(crate) fn orbit(camera: &Camera, right: f64, up: f64) -> Camera {
     let (eye, target) = (camera.eye.as_dvec3(), camera.target.as_dvec3());
-    moved(camera, target - turned(camera, target - eye, right, up), target)
+    moved(camera, target - turned(camera, target - eye, -right, -up), target)
 }
 
 /// Looks elsewhere, by angles in radians.
@@ -116,6 +116,17 @@ pub(crate) fn walk_away(camera: &Camera, scene: &Scene, decades: f64) -> Camera 
     if new.fault().is_none() { new } else { *camera }
 }
 
+/// Of how many neighbouring pixels in the middle of a picture the rays are the same, rounded as they are to `f32`: 1 where each
+/// has its own.
+pub(crate) fn pixels_a_ray(camera: &Camera, [width, height]: [u32; 2]) -> f64 {
+    let pixels = camera.pixels(width, height);
+    let [left, top] = [width, height].map(|side| (side / 2).saturating_sub(16));
+    let places = (top..height.min(top + 32)).flat_map(|y| (left..width.min(left + 32)).map(move |x| (x, y)));
+    let rays: Vec<[u32; 3]> = places.map(|(x, y)| pixels.ray(x, y).direction.to_array().map(f32::to_bits)).collect();
+    let distinct: std::collections::HashSet<&[u32; 3]> = rays.iter().collect();
+    rays.len() as f64 / distinct.len().max(1) as f64
+}
+
 #[cfg(test)]
 mod tests {
     use rayproof::scene::{Geometry, Sphere};
@@ -131,9 +142,9 @@ mod tests {
     #[test]
     fn moves_go_where_they_should() {
         let quarter = std::f64::consts::FRAC_PI_2;
-        near(orbit(&CAMERA, quarter, 0.0).eye, [-4.0, 0.0, 0.0]);
+        near(orbit(&CAMERA, quarter, 0.0).eye, [4.0, 0.0, 0.0]);
         near(look(&CAMERA, quarter, 0.0).target, [4.0, 0.0, 4.0]);
-        let high = orbit(&CAMERA, 0.0, -10.0);
+        let high = orbit(&CAMERA, 0.0, 10.0);
         assert!(high.eye.y > 3.99 && high.fault().is_none(), "{high:?}");
         let low = look(&CAMERA, 0.0, -10.0);
         assert!(low.target.y < -3.99 && low.fault().is_none(), "{low:?}");
@@ -169,6 +180,14 @@ mod tests {
     }
 
     #[test]
+    fn a_zoom_beyond_f32_is_noticed() {
+        let aside = Camera { eye: Vec3::new(3.0, 2.0, 4.0), fov_y: 1e-5, ..CAMERA };
+        assert!(pixels_a_ray(&aside, [800, 600]) > 10.0);
+        assert!(pixels_a_ray(&Camera { fov_y: 40.0, ..aside }, [800, 600]) < 1.01);
+        assert!(pixels_a_ray(&aside, [1, 1]) <= 1.0);
+    }
+
+    #[test]
     fn walking_away_keeps_the_size_and_tells_pixels_apart() {
         let ball = Sphere { center: Vec3::new(3.0, 1.0, 0.0), radius: 2.0 };
         let scene = Scene::new(vec![Geometry::Spheres(vec![ball])]);
@@ -183,6 +202,7 @@ mod tests {
             let directions =
                 [pixels.ray(400, 300), pixels.ray(401, 300), pixels.ray(400, 301)].map(|ray| ray.direction);
             assert!(directions[0] != directions[1] && directions[0] != directions[2], "{directions:?}");
+            assert!(pixels_a_ray(&camera, [800, 600]) < 1.01, "{decades}");
             // At the same share of the picture whatever the distance: where the sphere's rim is.
             let side = (f64::from(camera.fov_y).to_radians() * 0.5).tan() * distance / ball.radius as f64;
             assert!((side / (1.1 * 3.0_f64.sqrt()) - 1.0).abs() < 1e-3, "{decades}: {side}");

@@ -96,7 +96,11 @@ impl Side<'_> {
                 tiers.iter().for_each(|&tier| counts[usize::from(tier.clamp(1, 3)) - 1] += 1);
                 Figures::Tiers(counts)
             }
-            (Answers::Hits(hits), None) => Figures::Hits(hits.iter().filter(|hit| hit.is_hit()).count()),
+            (Answers::Hits(hits), None) => {
+                let distances = || hits.iter().filter(|hit| hit.is_hit()).map(|hit| hit.t);
+                let range = [distances().reduce(f32::min), distances().reduce(f32::max)];
+                Figures::Hits { hits: distances().count(), range: range[0].zip(range[1]).map(<[f32; 2]>::from) }
+            }
             (Answers::Hits(hits), Some(other)) => Figures::Errors(Errors::of(other.hits(), hits)),
         })
     }
@@ -105,8 +109,11 @@ impl Side<'_> {
 /// Figures about a side of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Figures {
-    /// How many pixels hit something.
-    Hits(usize),
+    /// How many pixels hit something, and the least and the largest t.
+    Hits {
+        hits: usize,
+        range: Option<[f32; 2]>,
+    },
     /// How many pixels each tier decides.
     Tiers([usize; 3]),
     Errors(Errors),
@@ -119,23 +126,31 @@ pub(crate) struct Errors {
     pub(crate) verdicts: [usize; 5],
     /// The median error of t where the primitive is the same, in ULP; that of 99.9 %; the worst.
     pub(crate) ulps: Option<[u64; 3]>,
+    /// The places of the first wrong answers, [`Errors::SHOWN`] at most, each with its verdict.
+    pub(crate) places: Vec<(u32, Verdict)>,
 }
 
 impl Errors {
+    /// How many wrong answers are kept.
+    pub(crate) const SHOWN: usize = 500;
+
     pub(crate) fn of(exact: &[Hit], answers: &[Hit]) -> Self {
         let mut verdicts = [0; 5];
-        let mut ulps = Vec::new();
-        for (exact, answer) in exact.iter().zip(answers) {
+        let (mut ulps, mut places) = (Vec::new(), Vec::new());
+        for ((exact, answer), place) in exact.iter().zip(answers).zip(0..) {
             let verdict = Verdict::of(exact, answer);
             verdicts[Verdict::ALL.iter().position(|&v| v == verdict).unwrap_or(0)] += 1;
-            if verdict == Verdict::Hit {
-                ulps.push(ulp_distance(exact.t, answer.t));
+            match verdict {
+                Verdict::Hit => ulps.push(ulp_distance(exact.t, answer.t)),
+                Verdict::Miss => {}
+                wrong if places.len() < Self::SHOWN => places.push((place, wrong)),
+                _ => {}
             }
         }
         ulps.sort_unstable();
         let quantile = |thousandths: usize| ulps[(ulps.len() - 1) * thousandths / 1000];
         let ulps = (!ulps.is_empty()).then(|| [500, 999, 1000].map(quantile));
-        Self { verdicts, ulps }
+        Self { verdicts, ulps, places }
     }
 
     /// How many answers are wrong.
@@ -207,7 +222,8 @@ mod tests {
         let exact = [at(2.0, 0), at(2.0, 0), at(2.0, 0), Hit::MISS, Hit::MISS, at(2.0, 0)];
         let answers = [at(2.0, 0), at(off, 0), at(2.0, 1), at(1.0, 0), Hit::MISS, Hit::MISS];
         let errors = Errors::of(&exact, &answers);
-        assert_eq!(errors, Errors { verdicts: [1, 2, 1, 1, 1], ulps: Some([0, 0, 7]) });
+        assert_eq!((errors.verdicts, errors.ulps), ([1, 2, 1, 1, 1], Some([0, 0, 7])));
+        assert_eq!(errors.places, [(2, Verdict::Another), (3, Verdict::FalseHit), (5, Verdict::FalseMiss)]);
         assert_eq!(errors.wrong(), 3);
         assert_eq!(Errors::of(&[], &[]).ulps, None);
     }

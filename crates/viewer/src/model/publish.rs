@@ -52,6 +52,7 @@ impl Job<'_> {
             *picture = Picture {
                 view: self.number,
                 size: self.view.size,
+                look: self.view.look,
                 sides: colors,
                 figures,
                 progress: self.progress.clone(),

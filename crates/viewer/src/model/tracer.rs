@@ -1,7 +1,7 @@
 //! The thread that makes pictures: the newest wish first, and what was wanted before is given up.
 
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Instant;
@@ -20,6 +20,8 @@ pub(super) struct Shared {
     wish: Mutex<Wish>,
     bell: Condvar,
     pub(super) newest: AtomicU64,
+    /// Whether the oracle rests.
+    pub(super) rests: AtomicBool,
     picture: Mutex<Picture>,
     pub(super) repaint: Box<dyn Fn() + Send + Sync>,
 }
@@ -48,6 +50,7 @@ impl Tracer {
             wish: Mutex::default(),
             bell: Condvar::new(),
             newest: AtomicU64::new(0),
+            rests: AtomicBool::new(false),
             picture: Mutex::default(),
             repaint: Box::new(repaint),
         });
@@ -62,6 +65,11 @@ impl Tracer {
         wish.view = Some((view, Instant::now()));
         self.shared.bell.notify_one();
         number
+    }
+
+    /// Lets the oracle rest, or go on: what is measured meanwhile should have the cores to itself.
+    pub(crate) fn rest(&self, rests: bool) {
+        self.shared.rests.store(rests, Ordering::Relaxed);
     }
 
     /// The picture, while it is looked at.

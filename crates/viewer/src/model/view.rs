@@ -36,6 +36,8 @@ pub(crate) struct Picture {
     /// The number of the view that it shows; they count up.
     pub(crate) view: u64,
     pub(crate) size: [u32; 2],
+    /// How it is shown.
+    pub(crate) look: Look,
     /// The pixels; and those right of the split.
     pub(crate) sides: [Vec<Rgb>; 2],
     /// About each side, when it is whole.

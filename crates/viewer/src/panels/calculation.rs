@@ -11,14 +11,15 @@ const DIGITS: [usize; 5] = [9, 9, 9, 17, 20];
 
 pub(super) fn show(ui: &mut Ui, worked: &Worked) {
     strong(ui, "Calculation");
-    ui.label(RichText::new("Digits that differ from the exact value are red and underlined.").weak());
+    ui.label(RichText::new("Where a number is not the nearest there is to the exact one, the digits that differ are red and underlined. \
+             ULP are counted from the exact value, unrounded.").weak());
     if let Some(systems) = &worked.systems {
         system(ui, systems);
     }
     for row in &worked.rows {
         quantity(ui, row);
     }
-    strong(ui, "Each method concludes");
+    strong(ui, "Each method concludes: t, rounded to f32");
     Grid::new("conclusions").num_columns(2).striped(true).show(ui, |ui| {
         for (method, answer) in Method::ALL.into_iter().zip(&worked.answers) {
             ui.label(method.name());
@@ -26,8 +27,10 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
                 Answer::Absent => ui.label("– (no formula of its own)"),
                 Answer::Miss(why) => ui.label(format!("miss: {why}")),
                 Answer::Hit { t, .. } => {
-                    let exact = exact_t(worked).unwrap_or(&Value::Absent);
-                    ui.label(marked(ui, t, exact, DIGITS[0]))
+                    // The exact one too is rounded in an answer: only that can be compared with the others.
+                    let t = if let Value::Exact(root) = t { Value::F32(root.to_f32()) } else { t.clone() };
+                    let exact = exact_t(worked).map_or(Value::Absent, Value::F32);
+                    ui.label(marked(ui, &t, &exact, DIGITS[0]))
                 }
             };
             ui.end_row();
@@ -35,9 +38,10 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
     });
 }
 
-fn exact_t(worked: &Worked) -> Option<&Value> {
+/// The exact t, rounded once.
+fn exact_t(worked: &Worked) -> Option<f32> {
     match &worked.answers[Method::Exact as usize] {
-        Answer::Hit { t, .. } => Some(t),
+        Answer::Hit { t: Value::Exact(root), .. } => Some(root.to_f32()),
         _ => None,
     }
 }
@@ -52,7 +56,7 @@ fn system(ui: &mut Ui, systems: &[System; 5]) {
                 if column == 3 {
                     ui.label("=");
                 }
-                ui.label(marked(ui, shown, exact, 6)).on_hover_text(format!("exactly {}", exact.decimal(20)));
+                ui.label(marked(ui, shown, exact, 5)).on_hover_text(format!("exactly {}", exact.decimal(20)));
             }
             ui.end_row();
         }
@@ -108,7 +112,9 @@ fn short(ulps: f64) -> String {
 /// A value in decimal; digits that are not those of the exact one are marked, by more than colour.
 pub(super) fn marked(ui: &Ui, value: &Value, exact: &Value, digits: usize) -> LayoutJob {
     let text = value.decimal(digits);
-    let same = if matches!(exact, Value::Absent) { text.len() } else { value.same_digits(exact, digits) };
+    // The nearest number that the format has is as right as can be, whatever its digits.
+    let nearest = value.ulps_from(exact).is_some_and(|ulps| ulps <= 0.5);
+    let same = if nearest || matches!(exact, Value::Absent) { text.len() } else { value.same_digits(exact, digits) };
     let font = FontId::monospace(egui::TextStyle::Monospace.resolve(ui.style()).size);
     let wrong = if ui.visuals().dark_mode { Color32::from_rgb(255, 130, 110) } else { Color32::from_rgb(180, 20, 20) };
     let plain = TextFormat::simple(font.clone(), ui.visuals().text_color());

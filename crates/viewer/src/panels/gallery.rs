@@ -1,17 +1,17 @@
 //! The hard cases, one family after the other.
 
-use egui::{ComboBox, RichText, ScrollArea, Slider, Ui};
+use egui::{RichText, ScrollArea, Ui};
 use rayproof::Precision;
 use rayproof::scene::Hit;
 use rayproof_oracle::judge::ulp_distance;
 use rayproof_picture::shade::Verdict;
 
-use super::view::many;
+use super::view;
+use super::words::{counted, list, many};
 use crate::app::App;
 use crate::gallery::Hung;
 use crate::inspector::Picked;
 use crate::model::gallery::{Answered, all};
-use crate::model::navigate;
 
 /// The methods in the table of rays; `pair` is left out, as its errors are mostly those of `double`.
 const SHOWN: [Precision; 4] = [Precision::Textbook, Precision::Classic, Precision::Fast, Precision::Double];
@@ -38,9 +38,10 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     });
     let name = |i: usize| format!("{} {}", all()[i].number, all()[i].name);
     let selected = hung.map_or_else(|| "choose one".to_owned(), |_| name(family));
-    ComboBox::from_label("family").selected_text(selected).width(220.0).height(400.0).show_ui(ui, |ui| {
-        for i in 0..all().len() {
-            if ui.selectable_label(hung.is_some() && i == family, name(i)).on_hover_text(all()[i].stresses).clicked() {
+    list(ui, "family", &selected, |ui| {
+        for (i, entry) in all().iter().enumerate() {
+            let label = ui.selectable_label(hung.is_some() && i == family, name(i));
+            if label.on_hover_text(entry.stresses).clicked() {
                 wanted = Some((i, 0));
             }
         }
@@ -51,25 +52,33 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     if hung.is_some() {
         ui.add_space(4.0);
         ui.label(RichText::new(all()[family].stresses).strong());
-        ui.label(format!(
-            "Scene {} of {of}: {} primitives, seen from where its first ray starts.",
-            number + 1,
-            app.world.scene.len()
-        ));
+        let primitives = counted(app.world.scene.len(), "primitive");
+        ui.label(format!("Scene {} of {of}: {primitives}, seen from where its first ray starts.", number + 1));
         ui.scope(|ui| rays(app, ui));
     }
     ui.add_space(8.0);
-    distance(app, ui);
+    ui.heading("Distance");
+    ui.label(
+        "Walk away from the scene: the zoom keeps its size, and single precision does not keep its digits. \
+         Choose the mode error and the method textbook, then fast, then exact.",
+    );
+    ui.push_id("gallery", |ui| view::distance(app, ui));
 }
 
 /// The rays that the family aims, and how far each method is off.
 fn rays(app: &mut App, ui: &mut Ui) {
     ui.add_space(4.0);
     ui.label("The rays that it aims, with each method's error in ULP. Click one to read its calculation.");
+    ui.label(
+        RichText::new(
+            "miss? is a miss where there is a hit, hit? the reverse, other? another primitive; a dot is a right miss.",
+        )
+        .weak(),
+    );
     // Columns stay columns in a narrow panel: it scrolls.
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-    let head = SHOWN.map(|precision| format!("{:>9}", precision.name())).concat();
-    ui.label(RichText::new(format!("{:>3} {:>13}{head}", "ray", "exact t")).monospace());
+    let head = SHOWN.map(|precision| format!("{:>8}", short_name(precision))).concat();
+    ui.label(RichText::new(format!("{:>3} {:>12}{head}", "ray", "exact t")).monospace());
     let Some(Hung { rays, .. }) = &app.gallery.hung else { return };
     let mut picked = None;
     let height = ui.text_style_height(&egui::TextStyle::Monospace);
@@ -89,12 +98,20 @@ fn rays(app: &mut App, ui: &mut Ui) {
     }
 }
 
+/// A name that fits its column.
+const fn short_name(precision: Precision) -> &'static str {
+    match precision {
+        Precision::Textbook => "textbk.",
+        other => other.name(),
+    }
+}
+
 fn row(i: usize, ray: &Answered) -> String {
     let exact = ray.hits[5];
-    let t = if exact.is_hit() { format!("{:.6e}", exact.t) } else { "miss".to_owned() };
+    let t = if exact.is_hit() { format!("{:.5e}", exact.t) } else { "miss".to_owned() };
     let place = |precision| Precision::ALL.iter().position(|&p| p == precision).unwrap_or(0);
-    let errors = SHOWN.map(|precision| format!("{:>9}", error(&exact, &ray.hits[place(precision)])));
-    format!("{i:>3} {t:>13}{}", errors.concat())
+    let errors = SHOWN.map(|precision| format!("{:>8}", error(&exact, &ray.hits[place(precision)])));
+    format!("{i:>3} {t:>12}{}", errors.concat())
 }
 
 /// The error of an answer in a word.
@@ -105,22 +122,6 @@ fn error(exact: &Hit, hit: &Hit) -> String {
         Verdict::FalseHit => "hit?".to_owned(),
         Verdict::FalseMiss => "miss?".to_owned(),
         Verdict::Another => "other?".to_owned(),
-    }
-}
-
-/// Walking away from whatever is shown.
-fn distance(app: &mut App, ui: &mut Ui) {
-    ui.heading("Distance");
-    ui.label(
-        "Walk away from the scene: the zoom keeps its size, and single precision does not keep its digits. \
-         Choose the mode error and the method textbook, then fast, then exact.",
-    );
-    let mut decades = app.gallery.decades;
-    let slider =
-        Slider::new(&mut decades, 0.0..=8.0).custom_formatter(|x, _| format!("10^{x:.1}")).text("times its size away");
-    if ui.add(slider).changed() {
-        app.gallery.decades = decades;
-        app.camera = navigate::walk_away(&app.camera, &app.world.scene, decades);
     }
 }
 

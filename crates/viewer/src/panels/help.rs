@@ -1,6 +1,6 @@
 //! The keys, and how to read what is shown.
 
-use egui::{Grid, RichText, Ui};
+use egui::{RichText, Ui};
 use rayproof::Precision;
 
 use super::view::about;
@@ -9,13 +9,12 @@ use crate::model::look::Mode;
 
 pub(super) fn show(ui: &mut Ui) {
     ui.heading("Keys and pointer");
-    Grid::new("keys").num_columns(2).striped(true).show(ui, |ui| {
-        for (keys, does) in HELP {
+    for (keys, does) in HELP {
+        ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(keys).strong());
             ui.label(does);
-            ui.end_row();
-        }
-    });
+        });
+    }
     ui.add_space(8.0);
     ui.heading("What pixels show");
     for mode in Mode::ALL {

@@ -1,6 +1,6 @@
 //! The calculation of one ray, by every method.
 
-use egui::{ComboBox, Grid, RichText, Ui};
+use egui::{Grid, RichText, Ui};
 use glam::Vec3;
 use rayproof::Precision;
 use rayproof::scene::{Hit, Primitive, Ray, Scene, number};
@@ -9,7 +9,7 @@ use rayproof_oracle::worked::Value;
 use rayproof_picture::shade::Verdict;
 
 use super::calculation::{self, marked};
-use super::view::many;
+use super::words::{list, many};
 use crate::app::App;
 use crate::inspector::Picked;
 use crate::model::inspection::Inspection;
@@ -29,7 +29,7 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
             ui.colored_label(ui.visuals().error_fg_color, why);
         }
         Some(Ok(inspection)) => {
-            answers(ui, &inspection);
+            answers(ui, &app.world.scene, &inspection);
             hand_on(app, ui, &inspection);
             chooser(app, ui, &inspection, &picked);
             if let Some((flat, worked)) = &inspection.worked {
@@ -53,19 +53,25 @@ pub(super) fn mono(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
 }
 
 /// What each method answers, over the whole scene.
-fn answers(ui: &mut Ui, inspection: &Inspection) {
+fn answers(ui: &mut Ui, scene: &Scene, inspection: &Inspection) {
     strong(ui, "Answers");
     let truth = &inspection.truth;
     Grid::new("answers").num_columns(4).striped(true).show(ui, |ui| {
-        for head in ["method", "primitive", "t", "ULP off"] {
-            ui.label(RichText::new(head).weak());
+        let heads = [
+            ("method", "How t was computed"),
+            ("primitive", "geometry / primitive, as in the files of hits"),
+            ("t", "Where on the ray, in multiples of its direction"),
+            ("ULP off", "How many f32 numbers lie between this t and the exact one, rounded once"),
+        ];
+        for (head, explained) in heads {
+            ui.label(RichText::new(head).weak()).on_hover_text(explained);
         }
         ui.end_row();
         let named = Precision::ALL.map(Precision::name).into_iter().zip(&inspection.hits);
         for (name, hit) in named.chain([("oracle", truth)]) {
             ui.label(name);
             if hit.is_hit() {
-                mono(ui, hit.primitive.to_string());
+                mono(ui, place(scene, hit.primitive));
                 let [exact, shown] = [truth.t, hit.t].map(Value::F32);
                 let hex = format!("t = {}\nu = {:?}\nv = {:?}", number::hex(hit.t), hit.u, hit.v);
                 ui.label(marked(ui, &shown, &exact, 9)).on_hover_text(hex);
@@ -77,6 +83,12 @@ fn answers(ui: &mut Ui, inspection: &Inspection) {
             ui.end_row();
         }
     });
+}
+
+/// A primitive as files of hits name it: its geometry, and its row there.
+fn place(scene: &Scene, flat: u32) -> String {
+    let (geometry, row) = scene.locate(flat as usize);
+    format!("{geometry} / {row}")
 }
 
 fn off(truth: &Hit, hit: &Hit) -> String {
@@ -101,7 +113,7 @@ fn hand_on(app: &mut App, ui: &mut Ui, inspection: &Inspection) {
             app.tell(ui.ctx(), format!("copied the commands that replay the answer of {}", precision.name()));
         }
         let mut chosen = precision;
-        ComboBox::from_label("answered by").selected_text(chosen.name()).show_ui(ui, |ui| {
+        list(ui, "as answered by", chosen.name(), |ui| {
             for p in Precision::ALL {
                 ui.selectable_value(&mut chosen, p, p.name());
             }
@@ -145,15 +157,19 @@ fn both(ui: &mut Ui, x: f32) {
 fn chooser(app: &mut App, ui: &mut Ui, inspection: &Inspection, picked: &Picked) {
     let Some((flat, _)) = inspection.worked else { return };
     strong(ui, "Primitive");
+    if inspection.hits.iter().all(|hit| !hit.is_hit()) {
+        ui.label("No method hits anything: choose one to see why it is missed.");
+    }
     let mut chosen = flat;
+    let scene = &app.world.scene;
     ui.horizontal(|ui| {
-        ComboBox::from_label("of those that were answered").selected_text(flat.to_string()).show_ui(ui, |ui| {
+        list(ui, "geometry / primitive", &place(scene, flat), |ui| {
             for &candidate in &inspection.candidates {
-                ui.selectable_value(&mut chosen, candidate, candidate.to_string());
+                ui.selectable_value(&mut chosen, candidate, place(scene, candidate));
             }
         });
-        let last = app.world.scene.len().saturating_sub(1);
-        let label = ui.label("or any");
+        let last = scene.len().saturating_sub(1);
+        let label = ui.label("or number").on_hover_text("Counted through all geometries, from 0");
         ui.add(egui::DragValue::new(&mut chosen).range(0..=last).speed(0.1)).labelled_by(label.id);
     });
     if chosen != flat {

@@ -13,8 +13,8 @@ pub(super) const TIERS: [&str; 3] = ["f32", "double width", "exact"];
 const FONT: FontId = FontId::new(12.0, egui::FontFamily::Proportional);
 const PANEL: Color32 = Color32::from_black_alpha(215);
 const TEXT: Color32 = Color32::WHITE;
-/// Points a decade of the scale.
-const STEP: u16 = 40;
+/// Points a decade of the scale: as many as fit, between these.
+const STEPS: std::ops::RangeInclusive<f32> = 20.0..=40.0;
 const MARGIN: f32 = 8.0;
 
 /// Paints the legend of a mode into a picture.
@@ -51,24 +51,34 @@ fn text(painter: &Painter, at: egui::Pos2, anchor: Align2, text: &str) -> Rect {
 
 /// The logarithmic scale of errors.
 fn scale(painter: &Painter, picture: Rect, mode: Mode) {
-    let steps = STEP * 7;
-    let length = f32::from(steps);
-    let Some(at) = panel(painter, picture, vec2(length + 62.0, 52.0)) else { return };
+    let beside = 62.0;
+    let room = (picture.width() - beside - 4.0 * MARGIN) / 7.0;
+    let step = room.clamp(*STEPS.start(), *STEPS.end()).floor();
+    let length = 7.0 * step;
+    let wrong = if mode == Mode::Error { "wrong answer" } else { "another, or none" };
+    // Below each other where they do not fit beside each other.
+    let below = if length < 200.0 { 18.0 } else { 0.0 };
+    let Some(at) = panel(painter, picture, vec2(length + beside, 52.0 + below)) else { return };
     let at = at + vec2(10.0, 0.0);
-    for x in 0..steps {
-        let [r, g, b] = color::viridis(f64::from(x) / f64::from(steps - 1));
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred points")]
+    let columns = length as u16;
+    for x in 0..columns {
+        let [r, g, b] = color::viridis(f64::from(x) / f64::from(columns - 1));
         let column = Rect::from_min_size(at + vec2(f32::from(x), 0.0), vec2(1.0, 12.0));
         painter.rect_filled(column, 0.0, Color32::from_rgb(r, g, b));
     }
-    for (i, label) in (0..).zip(DECADES) {
-        let x = at.x + f32::from(STEP * i);
+    for (i, label) in (0_u8..).zip(DECADES) {
+        let x = at.x + step * f32::from(i);
         painter.vline(x, at.y + 12.0..=at.y + 16.0, Stroke::new(1.0, TEXT));
-        text(painter, pos2(x, at.y + 17.0), Align2::CENTER_TOP, label);
+        // Every second where they are close.
+        if step >= 34.0 || i % 2 == 0 {
+            text(painter, pos2(x, at.y + 17.0), Align2::CENTER_TOP, label);
+        }
     }
     text(painter, at + vec2(length + 22.0, 17.0), Align2::LEFT_TOP, "ULP");
-    let wrong = if mode == Mode::Error { "wrong answer" } else { "another primitive, or none" };
     let next = swatch(painter, at + vec2(0.0, 44.0), WRONG, wrong);
-    swatch(painter, pos2(next + 16.0, at.y + 44.0), BACKGROUND, "miss");
+    let place = if below > 0.0 { at + vec2(0.0, 62.0) } else { pos2(next + 16.0, at.y + 44.0) };
+    swatch(painter, place, BACKGROUND, "miss");
 }
 
 /// Near to far.

@@ -1,6 +1,7 @@
 //! The parts of the window.
 
 mod calculation;
+mod figures;
 mod gallery;
 mod help;
 mod inspector;
@@ -11,6 +12,7 @@ mod side;
 mod status;
 pub(crate) mod toolbar;
 pub(crate) mod view;
+mod words;
 
 pub(crate) use picture::pick;
 

@@ -8,6 +8,7 @@ use crate::app::App;
 use crate::canvas::{fit, pixel};
 use crate::inspector::Picked;
 use crate::model::navigate;
+use crate::model::paint::Figures;
 
 /// Points around the split that take hold of it.
 const GRIP: f32 = 6.0;
@@ -37,11 +38,17 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     clicks(app, ui, &response, rect, size);
     app.want(size);
     app.canvas.paint(ui.painter(), rect, app.settings.split_at);
-    if look.is_split() {
+    wrong(app, ui, rect);
+    if app.canvas.look.is_split() {
         names(app, ui, rect);
     }
-    legend::paint(ui.painter(), rect, look.mode);
+    legend::paint(ui.painter(), rect, app.canvas.look.mode);
     marker(app, ui, rect, size);
+    if app.world.scene.is_empty() {
+        let (at, anchor) = (rect.center(), egui::Align2::CENTER_CENTER);
+        let font = egui::FontId::proportional(16.0);
+        ui.painter().text(at, anchor, "The scene is empty: there is nothing to hit.", font, Color32::WHITE);
+    }
 }
 
 /// A size that was asked for, if what paints the window can hold it.
@@ -138,13 +145,39 @@ pub(crate) fn pick(app: &mut App, context: &egui::Context, size: [u32; 2], pixel
     app.inspector.pick(context, &app.world, picked, None);
 }
 
+/// Rings around pixels that hit or miss wrongly, where they are few enough to be overlooked.
+fn wrong(app: &App, ui: &Ui, rect: Rect) {
+    const FEW: usize = 60;
+    if !app.canvas.look.mode.judges() {
+        return;
+    }
+    let [width, height] = app.canvas.size;
+    let split = rect.left() + if app.canvas.look.is_split() { app.settings.split_at } else { 1.0 } * rect.width();
+    let sides = [rect.with_max_x(split), rect.with_min_x(split)];
+    for (figures, side) in app.canvas.figures.iter().zip(sides) {
+        let Some(Figures::Errors(errors)) = figures else { continue };
+        if errors.places.len() > FEW {
+            continue;
+        }
+        let painter = ui.painter().with_clip_rect(side);
+        for &(place, verdict) in &errors.places {
+            let share =
+                vec2((place % width) as f32 + 0.5, (place / width) as f32 + 0.5) / vec2(width as f32, height as f32);
+            let [r, g, b] = verdict.color();
+            for (thickness, color) in [(4.0, Color32::BLACK), (2.0, Color32::from_rgb(r, g, b))] {
+                painter.circle_stroke(rect.min + share * rect.size(), 6.0, Stroke::new(thickness, color));
+            }
+        }
+    }
+}
+
 /// The split and the methods on both its sides.
 fn names(app: &App, ui: &Ui, rect: Rect) {
     let x = rect.left() + app.settings.split_at * rect.width();
     let painter = ui.painter().with_clip_rect(rect);
     painter.vline(x, rect.y_range(), Stroke::new(3.0, Color32::BLACK));
     painter.vline(x, rect.y_range(), Stroke::new(1.0, Color32::WHITE));
-    let look = &app.settings.look;
+    let look = &app.canvas.look;
     let font = egui::FontId::proportional(14.0);
     for (anchor, gap, source) in [(egui::Align2::RIGHT_TOP, -8.0, look.left), (egui::Align2::LEFT_TOP, 8.0, look.right)]
     {

@@ -1,10 +1,9 @@
 //! Speed against error of all methods, on the view that is shown.
 
 use egui::{Color32, Grid, RichText, Ui};
-use egui_plot::{Line, Plot, PlotPoint, PlotPoints, Points, Text};
-use rayproof::Precision;
+use egui_plot::{Corner, GridMark, Legend, Line, MarkerShape, Plot, PlotPoints, Points};
 
-use super::view::{grouped, many};
+use super::words::{grouped, many};
 use crate::app::App;
 use crate::model::measure::Measured;
 
@@ -16,6 +15,16 @@ const COLORS: [Color32; 6] = [
     Color32::from_rgb(204, 121, 167),
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(0, 114, 178),
+];
+
+/// And a shape of its own, for eyes that see fewer colours.
+const SHAPES: [MarkerShape; 6] = [
+    MarkerShape::Cross,
+    MarkerShape::Square,
+    MarkerShape::Up,
+    MarkerShape::Diamond,
+    MarkerShape::Down,
+    MarkerShape::Circle,
 ];
 
 /// Where no error at all is drawn, on the logarithmic axis.
@@ -50,49 +59,66 @@ fn height(measured: &Measured) -> f64 {
     measured.errors.ulps.map_or(NONE, |[_, most, _]| if most == 0 { NONE } else { (most as f64).log10() })
 }
 
-/// A mark of the vertical axis.
+/// A mark of an axis, for the logarithm of what it says.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a label")]
-fn ulps(decades: f64) -> String {
-    many(10.0_f64.powf(decades).round() as u64)
+fn mark(decades: f64) -> String {
+    match 10.0_f64.powf(decades) {
+        x if x >= 1.0 => many(x.round() as u64),
+        x => format!("{x:.1}"),
+    }
+}
+
+/// Marks at 1, 2 and 5 of every decade.
+fn decades(input: egui_plot::GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let mut marks = Vec::new();
+    let mut decade = low.floor();
+    while decade <= high {
+        for (digit, step_size) in [(1.0_f64, 1.0), (2.0, 0.3), (5.0, 0.3)] {
+            let value = decade + digit.log10();
+            // Not so near to an end that its label is cut.
+            let gap = 0.04 * (high - low);
+            if (low + gap..=high - gap).contains(&value) {
+                marks.push(GridMark { value, step_size });
+            }
+        }
+        decade += 1.0;
+    }
+    marks
 }
 
 fn plot(ui: &mut Ui, measured: &[Measured]) {
-    let axis = |x: f64| format!("{:.3}", 10.0_f64.powf(x)).trim_end_matches('0').trim_end_matches('.').to_owned();
     Plot::new("speed against error")
-        .height(260.0)
+        .height(280.0)
         .allow_scroll(false)
         .allow_drag(false)
         .allow_zoom(false)
-        .set_margin_fraction(egui::vec2(0.15, 0.15))
+        .allow_boxed_zoom(false)
+        .set_margin_fraction(egui::vec2(0.2, 0.15))
         .include_y(NONE)
         .include_y(1.0)
         .x_axis_label("ns a ray")
         .y_axis_label("ULP")
-        .x_grid_spacer(egui_plot::uniform_grid_spacer(|_| [1.0, 0.5, 0.25]))
-        .y_grid_spacer(egui_plot::uniform_grid_spacer(|_| [2.0, 1.0, 1.0]))
-        .x_axis_formatter(move |mark, _| axis(mark.value))
-        .y_axis_formatter(move |mark, _| match mark.value {
-            y if y <= NONE => "0".to_owned(),
-            y if y < 0.0 => String::new(),
-            y => ulps(y),
+        .legend(Legend::default().position(Corner::RightTop))
+        .x_grid_spacer(decades)
+        .y_grid_spacer(decades)
+        .x_axis_formatter(|at, _| mark(at.value))
+        .y_axis_formatter(|at, _| match at.value {
+            y if (y - NONE).abs() < 1e-9 => "0".to_owned(),
+            // Below 1 there is only 0.
+            y if y < 0.0 || y.fract().abs() > 1e-9 => String::new(),
+            y => mark(y),
         })
         .show(ui, |plot| {
-            for (m, color) in measured.iter().zip(COLORS) {
+            for ((m, color), shape) in measured.iter().zip(COLORS).zip(SHAPES) {
                 let [median, low, high] = m.nanoseconds.map(f64::log10);
                 let y = height(m);
-                plot.line(Line::new("", vec![[low, y], [high, y]]).color(color).width(2.0));
+                plot.line(Line::new(m.precision.name(), vec![[low, y], [high, y]]).color(color).width(2.0));
                 let at = PlotPoints::from(vec![[median, y]]);
-                plot.points(Points::new(m.precision.name(), at).radius(5.0).color(color));
-                let name = RichText::new(m.precision.name()).color(color).strong();
-                // Beside each other where they would cover each other.
-                let anchor = if m.precision == Precision::Pair {
-                    egui::Align2::LEFT_BOTTOM
-                } else {
-                    egui::Align2::CENTER_BOTTOM
-                };
-                plot.text(Text::new("", PlotPoint::new(median, y + 0.12), name).anchor(anchor));
+                plot.points(Points::new(m.precision.name(), at).shape(shape).radius(6.0).color(color));
             }
         });
+    ui.label(RichText::new("A mark is the median of five rounds, its line the fastest and the slowest.").weak());
 }
 
 fn table(ui: &mut Ui, measured: &[Measured]) {

@@ -1,9 +1,9 @@
 //! What runs, and how fast.
 
-use egui::{Align, Layout, ProgressBar, RichText, Spinner, Ui};
+use egui::{ProgressBar, RichText, Sides, Spinner, Ui};
 use rayproof::Precision;
 
-use super::view::grouped;
+use super::words::counted;
 use crate::app::App;
 use crate::model::view::{Progress, State};
 
@@ -12,23 +12,27 @@ pub(super) fn show(app: &App, ui: &mut Ui) {
         let picture = app.tracer.picture();
         (picture.progress.clone(), picture.size)
     };
-    ui.horizontal(|ui| {
-        let scene = &app.world.scene;
-        let (triangles, spheres) = (grouped(scene.triangle_count()), grouped(scene.sphere_count()));
-        ui.label(RichText::new(&app.world.name).strong());
-        ui.label(format!("{triangles} triangles, {spheres} spheres"));
-        ui.separator();
-        if app.opening.is_some() || app.gallery.is_opening() {
-            ui.add(Spinner::new().size(12.0));
-            ui.label("opening");
-        }
-        doing(ui, &progress, size);
-        if let Some((notice, _)) = &app.notice {
+    // What traces is always read; the rest is cut where there is no room.
+    Sides::new().shrink_left().truncate().show(
+        ui,
+        |ui| {
+            if let Some((notice, _)) = &app.notice {
+                ui.label(RichText::new(notice).strong());
+                return;
+            }
+            if app.opening.is_some() || app.gallery.is_opening() {
+                ui.add(Spinner::new().size(12.0));
+                ui.label("opening");
+            }
+            doing(ui, &progress, size);
+            let scene = &app.world.scene;
+            let (triangles, spheres) = (scene.triangle_count(), scene.sphere_count());
             ui.separator();
-            ui.label(RichText::new(notice).strong());
-        }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| device(app, ui));
-    });
+            ui.label(RichText::new(&app.world.name).strong());
+            ui.label(format!("{}, {}", counted(triangles, "triangle"), counted(spheres, "sphere")));
+        },
+        |ui| device(app, ui),
+    );
 }
 
 /// How far the picture is.
@@ -72,10 +76,6 @@ fn device(app: &App, ui: &mut Ui) {
     let label = ui.label(&info.name);
     let hover = format!("Traces: {}\nDriver: {}\n{notes}", info.name, info.driver);
     label.on_hover_text(hover.trim());
-    if !notes.is_empty() {
-        ui.label(RichText::new(notes).weak());
-        ui.separator();
-    }
     if let (Some(rate), Some([median, most])) = (app.pulse.rate(), app.pulse.milliseconds()) {
         ui.separator();
         ui.label(format!("{rate:.0} frames/s"))

@@ -4,11 +4,12 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
-use egui::{ComboBox, Context, ThemePreference, Ui};
+use egui::{Context, ThemePreference, Ui};
 use image::ExtendedColorType::Rgb8;
 use image::ImageEncoder as _;
 use image::codecs::png::PngEncoder;
 
+use super::words::list;
 use crate::app::App;
 use crate::model::task::Task;
 use crate::model::world::World;
@@ -30,14 +31,19 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
             app.open(ui.ctx(), &path);
         }
         if ui.button("Save picture").on_hover_text("As PNG, without the window around it (P)").clicked() {
-            save_picture(app, ui.ctx());
+            // Not before it is whole.
+            app.saving = true;
         }
         ui.separator();
         for (side, name) in
             [(Side::Inspector, "Inspector"), (Side::Gallery, "Gallery"), (Side::Plot, "Plot"), (Side::Help, "Help")]
         {
             let open = app.settings.side == Some(side);
-            if ui.selectable_label(open, name).on_hover_text("Click again to close it").clicked() {
+            let mut label = ui.selectable_label(open, name);
+            if open {
+                label = label.on_hover_text("Click again to close it");
+            }
+            if label.clicked() {
                 app.settings.side = Some(side).filter(|_| !open);
             }
         }
@@ -62,7 +68,7 @@ fn theme(ui: &mut Ui) {
     let names =
         [(ThemePreference::System, "system"), (ThemePreference::Light, "light"), (ThemePreference::Dark, "dark")];
     let name = names.iter().find(|(value, _)| *value == theme).map_or("", |(_, name)| name);
-    ComboBox::from_label("theme").width(70.0).selected_text(name).show_ui(ui, |ui| {
+    list(ui, "theme", name, |ui| {
         for (value, name) in names {
             ui.selectable_value(&mut theme, value, name);
         }

@@ -89,7 +89,14 @@ fn the_last_scene_and_mode_come_back() {
         click(&mut viewer, "Gallery");
         eframe::App::save(viewer.state_mut(), &mut kept);
     }
-    let start = Start { device: Device::cpu(), scene: None, look: None, size: Some(SIZE), script: Script::default() };
+    let start = Start {
+        device: Device::cpu(),
+        scene: None,
+        look: None,
+        size: Some(SIZE),
+        panel: None,
+        script: Script::default(),
+    };
     let mut viewer = Harness::builder().with_size([1280.0, 800.0]).build_eframe(|window| {
         window.storage = Some(&kept);
         App::new(window, start)
@@ -117,7 +124,14 @@ fn one_device_runs_the_kernels_and_paints_the_window() {
     let rayproof::Handles { instance, adapter, device: shared, queue } = device.handles().unwrap();
     let setup = WgpuSetup::Existing(WgpuSetupExisting { instance, adapter, device: shared, queue });
     let look = Look { left: Source::device(Precision::Fast), ..look(Mode::Primitive) };
-    let start = Start { device, scene: Some(sample()), look: Some(look), size: Some(SIZE), script: Script::default() };
+    let start = Start {
+        device,
+        scene: Some(sample()),
+        look: Some(look),
+        size: Some(SIZE),
+        panel: None,
+        script: Script::default(),
+    };
     let builder = Harness::builder().with_size([760.0, 520.0]).renderer(WgpuTestRenderer::from_setup(setup));
     let mut viewer = builder.build_eframe(|window| App::new(window, start));
     viewer.state_mut().settings.side = None;
@@ -126,6 +140,7 @@ fn one_device_runs_the_kernels_and_paints_the_window() {
     let rect = viewer.get_by_label_contains("Picture of").rect();
     // A pixel of the picture is one of the window.
     let (_, pixels) = viewer.state().pixels();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a pixel of the window")]
     let [left, top] = [rect.left(), rect.top()].map(|x| x.round() as u32);
     let place = |i: u32| window.get_pixel(left + i % SIZE[0], top + i / SIZE[0]).0;
     let same = (0..).zip(&pixels).filter(|&(i, pixel)| place(i)[..3] == pixel[..]).count();

@@ -114,7 +114,7 @@ fn the_oracle_judges_every_pixel() {
     let picture = viewer.state().tracer.picture().clone();
     let all = (SIZE[0] * SIZE[1]) as usize;
     assert_eq!((picture.progress.judged, picture.progress.contradicted), (Some([all, all]), 0));
-    assert!(viewer.query_by_label_contains("contradict the precision exact").is_some());
+    assert!(viewer.query_by_label_contains("disagree with exact").is_some());
 }
 
 #[test]
@@ -143,7 +143,14 @@ fn a_device_and_the_cpu_do_not_differ() {
     let device = Device::open(&rayproof::DeviceChoice::Gpu).expect("tests need a Vulkan adapter");
     let mut both = look(Mode::Difference);
     (both.left, both.right) = (Source::device(Precision::Fast), Source::cpu(Precision::Fast));
-    let start = Start { device, scene: Some(sample()), look: Some(both), size: Some(SIZE), script: Script::default() };
+    let start = Start {
+        device,
+        scene: Some(sample()),
+        look: Some(both),
+        size: Some(SIZE),
+        panel: None,
+        script: Script::default(),
+    };
     let viewer = viewer_of(start);
     let Some(Figures::Errors(errors)) = viewer.state().tracer.picture().figures[0].clone() else {
         panic!("no figures")

@@ -16,7 +16,14 @@ fn options() -> egui_kittest::SnapshotOptions {
 }
 
 fn window(theme: egui::Theme, look: Look) -> Harness<'static, App> {
-    let start = Start { device: Device::cpu(), scene: None, look: Some(look), size: None, script: Script::default() };
+    let start = Start {
+        device: Device::cpu(),
+        scene: None,
+        look: Some(look),
+        size: None,
+        panel: None,
+        script: Script::default(),
+    };
     let builder = Harness::builder().with_size([WIDTH, HEIGHT]).with_theme(theme).wgpu();
     let mut viewer = builder.build_eframe(|window| App::new(window, start));
     viewer.state_mut().settings.side = None;
