@@ -41,7 +41,7 @@ impl<'a> Job<'a> {
         (layers, judge): (HashMap<Ask, Layer>, Judge),
     ) -> Self {
         let (progress, spent) = (Progress::default(), (0, Duration::ZERO));
-        Self { shared, view, number, since, layers, judge, progress, published: since, chunk: 1 << 13, spent }
+        Self { shared, view, number, since, layers, judge, progress, published: since, chunk: 1 << 14, spent }
     }
 
     fn is_stale(&self) -> bool {
@@ -147,7 +147,7 @@ impl<'a> Job<'a> {
         self.chunk = match taken.as_millis() {
             0..4 => (self.chunk * 2).min(1 << 18),
             4..16 => self.chunk,
-            _ => (self.chunk / 2).max(1 << 10),
+            _ => (self.chunk / 2).max(1 << 14),
         };
         Ok(())
     }
@@ -155,6 +155,7 @@ impl<'a> Job<'a> {
     /// Has the oracle answer pixel after pixel too, for as long as nothing else is wanted.
     fn judge_pixels(&mut self) {
         self.progress.state = State::Judging;
+        self.report();
         let (world, pixels, size) = (self.view.world.clone(), self.view.pixels(), self.view.size);
         loop {
             while self.shared.rests.load(Ordering::Relaxed) && !self.is_stale() {

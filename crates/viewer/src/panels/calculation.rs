@@ -66,18 +66,19 @@ fn system(ui: &mut Ui, systems: &[System; 5]) {
 /// One quantity: its value by each method, one under the other, so that digits line up.
 fn quantity(ui: &mut Ui, row: &Row) {
     ui.add_space(4.0);
-    ui.horizontal(|ui| {
-        ui.label(RichText::new(row.name).strong().monospace());
-        ui.label(RichText::new(format!("= {}", row.formula)).weak());
-    });
     let exact = &row.values[Method::Exact as usize];
     let rounded = |value: &&Value| value.ulps_from(exact).is_none_or(|ulps| ulps != 0.0);
     let present = || row.values[..Method::Exact as usize].iter().filter(|value| !matches!(value, Value::Absent));
-    if present().count() > 0 && !present().any(|value| rounded(&value)) {
-        ui.horizontal(|ui| {
+    let all_exact = present().count() > 0 && !present().any(|value| rounded(&value));
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(row.name).strong().monospace());
+        ui.label(RichText::new(format!("= {}", row.formula)).weak());
+        if all_exact {
             mono(ui, exact.decimal(DIGITS[0]));
             ui.label(RichText::new("exact by every method").weak());
-        });
+        }
+    });
+    if all_exact {
         return;
     }
     Grid::new(("quantity", row.name)).num_columns(3).min_row_height(0.0).spacing([8.0, 0.0]).show(ui, |ui| {
