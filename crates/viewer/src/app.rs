@@ -67,6 +67,8 @@ pub struct App {
     pub(crate) size: Option<[u32; 2]>,
     /// Whether the picture is to be saved as soon as it is whole.
     pub(crate) saving: bool,
+    /// A picture of the window on its way to a file; and what is told of it then.
+    pub(crate) writing: Option<Task<String>>,
     pub(crate) script: Script,
 }
 
@@ -99,6 +101,7 @@ impl App {
             notice: None,
             size: start.size,
             saving: false,
+            writing: None,
             script: start.script,
             settings,
         };
@@ -144,6 +147,8 @@ impl App {
                 self.gallery.close();
                 self.enter(Arc::new(world));
             }
+            // Nobody is to blame where a dialog was closed.
+            Some(Ok((path, Err(why)))) if path.as_os_str().is_empty() => self.tell(context, why),
             Some(Ok((_, Err(why)))) => self.fault = Some(why),
             Some(Err(why)) => self.fault = Some(why.to_owned()),
         }
@@ -154,6 +159,9 @@ impl App {
             }
         }
         self.inspector.collect();
+        if let Some(told) = take(&mut self.writing) {
+            self.tell(context, told.unwrap_or_else(str::to_owned));
+        }
         if let Some(point) = self.canvas.focused() {
             self.camera = navigate::focus(&self.camera, point);
         }

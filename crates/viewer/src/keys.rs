@@ -9,7 +9,7 @@ use crate::panels;
 use crate::settings::Side;
 
 /// The keys and the pointer, for people.
-pub(crate) const HELP: [(&str, &str); 16] = [
+pub(crate) const HELP: [(&str, &str); 17] = [
     ("drag", "orbit around the target"),
     ("Shift + drag, middle drag", "pan"),
     ("right drag", "look around"),
@@ -25,6 +25,7 @@ pub(crate) const HELP: [(&str, &str); 16] = [
     ("F", "frame the scene"),
     ("C", "copy the camera as a [camera] table"),
     ("P", "save the picture as PNG"),
+    ("F12", "save the window as PNG, legend and panels included"),
     ("F1, F2, F3, F4", "help, inspector, gallery, plot"),
 ];
 
@@ -39,6 +40,9 @@ pub(crate) fn act(app: &mut App, context: &Context) {
         if context.input(|i| i.key_pressed(key)) {
             app.settings.side = Some(side).filter(|side| app.settings.side != Some(*side));
         }
+    }
+    if context.input(|i| i.key_pressed(Key::F12)) {
+        panels::toolbar::save_window(app, context);
     }
     // What is typed into a control is not for the camera.
     if context.egui_wants_keyboard_input() || context.memory(|memory| memory.focused().is_some()) {

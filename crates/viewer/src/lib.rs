@@ -10,6 +10,7 @@ mod gallery;
 mod inspector;
 mod keys;
 mod model;
+mod motion;
 mod panels;
 mod pulse;
 mod script;

@@ -2,13 +2,12 @@
 
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
 
 use egui::{ColorImage, Context, ViewportCommand};
-use serde::Serialize;
 
 use crate::app::App;
 use crate::model::navigate;
+use crate::motion::{self, Motion};
 use crate::panels;
 use crate::settings::Side;
 
@@ -29,7 +28,7 @@ pub struct Script {
     pub failure: Arc<Mutex<Option<Failure>>>,
     /// The scene of a family that was asked for, until it hangs.
     hanging: Option<[usize; 2]>,
-    motion: Option<Motion>,
+    pub(crate) motion: Option<Motion>,
     shot: Option<Shot>,
 }
 
@@ -72,38 +71,6 @@ impl Panel {
 /// A picture of the window that was asked for: first nothing, then the pixels.
 type Shot = Arc<Mutex<Option<Arc<ColorImage>>>>;
 
-/// The camera in motion: each move waits for the whole picture.
-struct Motion {
-    start: Instant,
-    /// The view that was moved to last.
-    view: u64,
-    moves: Vec<Move>,
-    /// Seconds from frame to frame.
-    frames: Vec<f64>,
-    last: Instant,
-}
-
-/// Seconds from a move to its first picture, and to the whole one.
-#[derive(Clone, Copy, Serialize)]
-struct Move {
-    first: f64,
-    whole: f64,
-}
-
-/// What a measurement prints.
-#[derive(Serialize)]
-struct Responsiveness {
-    device: String,
-    scene: String,
-    size: [u32; 2],
-    moves: usize,
-    /// Milliseconds: the median, the 95th percentile, the worst.
-    first_picture_ms: [f64; 3],
-    whole_picture_ms: [f64; 3],
-    frame_ms: [f64; 3],
-    rays_per_second: f64,
-}
-
 impl Script {
     /// Whether there is anything to do.
     pub(crate) const fn runs(&self) -> bool {
@@ -129,7 +96,7 @@ impl Script {
             return refuse(app, context, 5, why);
         }
         if app.script.motion.is_some() {
-            return orbit(app, context);
+            return motion::orbit(app, context);
         }
         if let Some(shot) = &app.script.shot {
             let pixels = shot.lock().unwrap_or_else(PoisonError::into_inner).take();
@@ -182,8 +149,7 @@ fn next(app: &mut App, context: &Context) {
             refuse(app, context, 2, format!("--inspect {x},{y}: the picture has {width} x {height} pixels"));
         }
     } else if app.script.measure.is_some() {
-        let now = Instant::now();
-        app.script.motion = Some(Motion { start: now, view: 0, moves: vec![], frames: vec![], last: now });
+        app.script.motion = Some(Motion::new());
     } else if app.script.screenshot.is_some() {
         let shot = Shot::default();
         app.script.shot = Some(shot.clone());
@@ -195,62 +161,8 @@ fn next(app: &mut App, context: &Context) {
     }
 }
 
-/// Moves the camera whenever the picture is whole, and notes the times; at the end prints them.
-fn orbit(app: &mut App, context: &Context) {
-    let (picture, progress) = {
-        let picture = app.tracer.picture();
-        (picture.view, picture.progress.clone())
-    };
-    let whole = app.is_whole();
-    let Some(motion) = &mut app.script.motion else { return };
-    let now = Instant::now();
-    motion.frames.push(now.duration_since(motion.last).as_secs_f64());
-    motion.last = now;
-    if whole && picture != motion.view {
-        motion.view = picture;
-        if let (Some(first), Some(whole)) = (progress.first, progress.whole) {
-            motion.moves.push(Move { first, whole });
-        }
-        app.camera = navigate::orbit(&app.camera, 0.02, 0.0);
-    }
-    if motion.start.elapsed().as_secs_f64() >= app.script.measure.unwrap_or(0.0) {
-        print(app, progress.rate);
-        app.script.motion = None;
-        app.script.measure = None;
-        if app.script.screenshot.is_none() {
-            context.send_viewport_cmd(ViewportCommand::Close);
-        }
-    }
-    context.request_repaint();
-}
-
-#[expect(clippy::print_stdout, reason = "what was asked for")]
-fn print(app: &App, rays_per_second: f64) {
-    let Some(motion) = &app.script.motion else { return };
-    let spread = |times: Vec<f64>| {
-        let mut times: Vec<f64> = times.into_iter().map(|t| (t * 1e5).round() / 1e2).collect();
-        times.sort_unstable_by(f64::total_cmp);
-        let at = |share: usize| times.get(times.len().saturating_sub(1) * share / 100).copied().unwrap_or(0.0);
-        [at(50), at(95), at(100)]
-    };
-    let report = Responsiveness {
-        device: app.device.info(rayproof::Precision::Exact).name,
-        scene: app.world.name.clone(),
-        size: app.canvas.size,
-        moves: motion.moves.len(),
-        first_picture_ms: spread(motion.moves.iter().map(|m| m.first).collect()),
-        whole_picture_ms: spread(motion.moves.iter().map(|m| m.whole).collect()),
-        frame_ms: spread(motion.frames.clone()),
-        rays_per_second,
-    };
-    if let Ok(text) = serde_json::to_string_pretty(&report) {
-        println!("{text}");
-    }
-}
-
 /// Writes the window's picture.
 fn save(image: &ColorImage, path: &std::path::Path) -> Result<(), String> {
-    let rgb: Vec<u8> = image.pixels.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]).collect();
-    let size = image.size.map(|side| u32::try_from(side).unwrap_or(0));
+    let (size, rgb) = panels::toolbar::rgb(image);
     panels::toolbar::write_png(path, size, &rgb)
 }

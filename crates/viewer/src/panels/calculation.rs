@@ -20,6 +20,9 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
         quantity(ui, row);
     }
     strong(ui, "Each method concludes: t, rounded to f32");
+    let alone = "Of this primitive alone. Over the scene the tree spares a ray whatever's box it misses, false hits too; and \
+                 fast, double and exact scale by powers of two, which matters only where a number over- or underflows here.";
+    ui.label(RichText::new(alone).weak());
     Grid::new("conclusions").num_columns(2).striped(true).show(ui, |ui| {
         for (method, answer) in Method::ALL.into_iter().zip(&worked.answers) {
             ui.label(method.name());

@@ -3,8 +3,9 @@
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::channel;
 
-use egui::{Context, ThemePreference, Ui};
+use egui::{ColorImage, Context, ThemePreference, Ui};
 use image::ExtendedColorType::Rgb8;
 use image::ImageEncoder as _;
 use image::codecs::png::PngEncoder;
@@ -104,16 +105,42 @@ pub(crate) fn save_picture(app: &mut App, context: &Context) {
         let picture = app.tracer.picture();
         (picture.size, app.composed(&picture))
     };
-    let stem = Path::new(&app.world.name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let stem = stem.filter(|_| app.gallery.hung.is_none()).unwrap_or_else(|| "picture".to_owned());
-    let mode = app.settings.look.mode.name();
-    let name = |n: usize| PathBuf::from(format!("{stem}-{mode}-{n}.png"));
-    let Some(path) = (1..10_000).map(name).find(|path| !path.exists()) else { return };
-    let told = match write_png(&path, size, pixels.as_flattened()) {
+    let told = write_new(&app.world.name, app.settings.look.mode.name(), size, pixels.as_flattened());
+    app.tell(context, told);
+}
+
+/// Writes a picture of the window into a new file of the working folder, as soon as there is one.
+pub(crate) fn save_window(app: &mut App, context: &Context) {
+    let (sender, receiver) = channel::<([u32; 2], Vec<u8>)>();
+    let name = app.world.name.clone();
+    app.writing = Some(Task::start(context, move || match receiver.recv() {
+        Ok((size, pixels)) => write_new(&name, "window", size, &pixels),
+        Err(_) => "the window gave no picture of itself".to_owned(),
+    }));
+    context.request_screenshot(move |image| {
+        let _ = sender.send(rgb(&image));
+    });
+}
+
+/// The size of an image, and its red, green and blue.
+pub(crate) fn rgb(image: &ColorImage) -> ([u32; 2], Vec<u8>) {
+    let pixels = image.pixels.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]).collect();
+    (image.size.map(|side| u32::try_from(side).unwrap_or(0)), pixels)
+}
+
+/// Writes a PNG under a name that is not taken, made of a scene's name and a word; returned is what to tell of it.
+fn write_new(scene: &str, word: &str, size: [u32; 2], rgb: &[u8]) -> String {
+    // The names of hard cases are sentences.
+    let stem = Path::new(scene).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    let stem = stem.filter(|stem| !stem.contains([' ', ':', ','])).unwrap_or_else(|| "picture".to_owned());
+    let names = (1..10_000).map(|n| PathBuf::from(format!("{stem}-{word}-{n}.png")));
+    let Some(path) = names.into_iter().find(|path| !path.exists()) else {
+        return format!("there are ten thousand pictures {stem}-{word} here already");
+    };
+    match write_png(&path, size, rgb) {
         Ok(()) => format!("saved {}", std::path::absolute(&path).unwrap_or(path).display()),
         Err(why) => format!("{}: {why}", path.display()),
-    };
-    app.tell(context, told);
+    }
 }
 
 /// Writes red, green and blue as a PNG.
