@@ -16,11 +16,11 @@ Examples:
   rayproof-viewer scene.toml --mode error --method fast
   rayproof-viewer --mode error --method textbook --distance 4 --screenshot error.png
 
-F1 in the window lists the keys. Exit codes: 0 done, 1 failed while running or no window could be opened, 2 usage, 4 no
-such device, 5 the scene cannot be read (where the window closes by itself; else it says so).")]
+F1 in the window lists the keys. Exit codes: 0 done, 1 failed while running or no window could be opened, \
+2 usage, 4 no such device, 5 the scene cannot be read (where the window closes by itself; else it says so).")]
 pub(crate) struct Cli {
     /// The scene: .obj .ply .stl .gltf .glb .toml; else the last one that was open
-    #[arg(value_name = "SCENE")]
+    #[arg(value_name = "SCENE", conflicts_with = "family")]
     pub(crate) scene: Option<PathBuf>,
 
     /// What traces: 'auto' is a hardware GPU if there is one, else the CPU engine; 'cpu'; 'gpu' is the best adapter, a software

@@ -67,10 +67,20 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<Option<Failure>, String
                 }
                 return Ok(failure.lock().ok().and_then(|failure| failure.clone()));
             }
+            // No painter helps where there is no screen.
+            Err(eframe::Error::WinitEventLoop(_) | eframe::Error::Winit(_)) => return Err(unreachable()),
             Err(error) => tried.push(format!("  with {name}: {error}")),
         }
     }
     Err(tried.join("\n"))
+}
+
+/// What is said of a display that cannot be reached.
+fn unreachable() -> String {
+    let set =
+        ["DISPLAY", "WAYLAND_DISPLAY"].map(|name| std::env::var(name).ok().map(|value| format!("{name}={value}")));
+    let set = set.into_iter().flatten().collect::<Vec<_>>().join(", ");
+    format!("  the display cannot be opened ({set})")
 }
 
 /// The window's options; what is kept from run to run goes to a place of its own where one is given.

@@ -70,14 +70,19 @@ impl<'a> Job<'a> {
                     return Ok(());
                 }
             }
-            self.publish();
+            if pass + 1 < STEPS.len() {
+                self.publish();
+            }
         }
-        if self.view.look.mode.judges() {
+        let judges = self.view.look.mode.judges();
+        self.progress.state = if judges { State::Judging } else { State::Done };
+        self.publish();
+        if judges {
             self.judge_pixels();
-        }
-        if !self.is_stale() {
-            self.progress.state = State::Done;
-            self.publish();
+            if !self.is_stale() {
+                self.progress.state = State::Done;
+                self.publish();
+            }
         }
         Ok(())
     }
@@ -154,8 +159,6 @@ impl<'a> Job<'a> {
 
     /// Has the oracle answer pixel after pixel too, for as long as nothing else is wanted.
     fn judge_pixels(&mut self) {
-        self.progress.state = State::Judging;
-        self.report();
         let (world, pixels, size) = (self.view.world.clone(), self.view.pixels(), self.view.size);
         loop {
             while self.shared.rests.load(Ordering::Relaxed) && !self.is_stale() {

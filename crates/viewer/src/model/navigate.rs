@@ -117,14 +117,14 @@ pub(crate) fn walk_away(camera: &Camera, scene: &Scene, decades: f64) -> Camera 
 }
 
 /// Of how many neighbouring pixels in the middle of a picture the rays are the same, rounded as they are to `f32`: 1 where each
-/// has its own.
+/// has its own, infinity where all share one.
 pub(crate) fn pixels_a_ray(camera: &Camera, [width, height]: [u32; 2]) -> f64 {
     let pixels = camera.pixels(width, height);
     let [left, top] = [width, height].map(|side| (side / 2).saturating_sub(16));
     let places = (top..height.min(top + 32)).flat_map(|y| (left..width.min(left + 32)).map(move |x| (x, y)));
     let rays: Vec<[u32; 3]> = places.map(|(x, y)| pixels.ray(x, y).direction.to_array().map(f32::to_bits)).collect();
     let distinct: std::collections::HashSet<&[u32; 3]> = rays.iter().collect();
-    rays.len() as f64 / distinct.len().max(1) as f64
+    if distinct.len() == 1 && rays.len() > 1 { f64::INFINITY } else { rays.len() as f64 / distinct.len().max(1) as f64 }
 }
 
 #[cfg(test)]
@@ -185,6 +185,7 @@ mod tests {
         assert!(pixels_a_ray(&aside, [800, 600]) > 10.0);
         assert!(pixels_a_ray(&Camera { fov_y: 40.0, ..aside }, [800, 600]) < 1.01);
         assert!(pixels_a_ray(&aside, [1, 1]) <= 1.0);
+        assert!(pixels_a_ray(&Camera { fov_y: 1e-9, ..aside }, [800, 600]).is_infinite());
     }
 
     #[test]

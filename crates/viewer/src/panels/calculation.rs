@@ -20,8 +20,9 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
         quantity(ui, row);
     }
     strong(ui, "Each method concludes: t, rounded to f32");
-    let alone = "Of this primitive alone. Over the scene the tree spares a ray whatever's box it misses, false hits too; and \
-                 fast, double and exact scale by powers of two, which matters only where a number over- or underflows here.";
+    let alone = "For this primitive alone. In a scene the tree rules out primitives whose box the ray misses, and with them \
+                 some false hits; and fast, double and exact scale by powers of two, which matters only where a number \
+                 over- or underflows here.";
     ui.label(RichText::new(alone).weak());
     Grid::new("conclusions").num_columns(2).striped(true).show(ui, |ui| {
         for (method, answer) in Method::ALL.into_iter().zip(&worked.answers) {
@@ -32,7 +33,8 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
                 Answer::Hit { t, .. } => {
                     // The exact one too is rounded in an answer: only that can be compared with the others.
                     let t = if let Value::Exact(root) = t { Value::F32(root.to_f32()) } else { t.clone() };
-                    let exact = exact_t(worked).map_or(Value::Absent, Value::F32);
+                    // Where there is no hit, no digit of one is right.
+                    let exact = Value::F32(exact_t(worked).unwrap_or(f32::NAN));
                     ui.label(marked(ui, &t, &exact, DIGITS[0]))
                 }
             };

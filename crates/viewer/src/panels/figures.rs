@@ -1,6 +1,7 @@
 //! Numbers about the picture.
 
 use egui::{ProgressBar, RichText, Ui};
+use rayproof::Precision;
 use rayproof_picture::shade::Verdict;
 
 use super::legend;
@@ -34,7 +35,8 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
                 let name = if look.mode == Mode::Difference { names.join(" against ") } else { name.to_owned() };
                 ui.label(RichText::new(name).strong());
                 errors_of(ui, look.mode, errors, pixels);
-                ui.push_id(side, |ui| next_wrong(app, ui, errors, size));
+                let by = if side == 0 { look.left.precision } else { look.right.precision };
+                ui.push_id(side, |ui| next_wrong(app, ui, errors, size, by));
             }
         }
     }
@@ -66,8 +68,8 @@ fn errors_of(ui: &mut Ui, mode: Mode, errors: &Errors, pixels: usize) {
     }
 }
 
-/// Goes from one wrong pixel to the next.
-fn next_wrong(app: &mut App, ui: &mut Ui, errors: &Errors, size: [u32; 2]) {
+/// Goes from one wrong pixel of a method to the next.
+fn next_wrong(app: &mut App, ui: &mut Ui, errors: &Errors, size: [u32; 2], by: Precision) {
     if errors.places.is_empty() {
         return;
     }
@@ -79,5 +81,6 @@ fn next_wrong(app: &mut App, ui: &mut Ui, errors: &Errors, size: [u32; 2]) {
     let last = last.map(|([x, y], ..)| y * size[0] + x);
     let after = |place: u32| last.is_none_or(|last| place > last);
     let next = errors.places.iter().find(|(place, _)| after(*place)).unwrap_or(&errors.places[0]).0;
+    app.inspector.handed = Some(by);
     super::pick(app, ui.ctx(), size, [next % size[0], next / size[0]]);
 }

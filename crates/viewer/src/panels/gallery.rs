@@ -82,16 +82,21 @@ fn rays(app: &mut App, ui: &mut Ui) {
     let Some(Hung { rays, .. }) = &app.gallery.hung else { return };
     let mut picked = None;
     let height = ui.text_style_height(&egui::TextStyle::Monospace);
-    ScrollArea::vertical().id_salt("rays").max_height(260.0).show_rows(ui, height, rays.len(), |ui, shown| {
-        for i in shown {
-            let ray = &rays[i];
-            let chosen = app.inspector.picked.as_ref().is_some_and(|p| p.ray == ray.ray && p.pixel.is_none());
-            let text = RichText::new(row(i, ray)).monospace();
-            if ui.selectable_label(chosen, text).clicked() {
-                picked = Some(ray.ray);
+    ScrollArea::vertical().id_salt("rays").max_height((ui.available_height() - 130.0).clamp(160.0, 800.0)).show_rows(
+        ui,
+        height,
+        rays.len(),
+        |ui, shown| {
+            for i in shown {
+                let ray = &rays[i];
+                let chosen = app.inspector.picked.as_ref().is_some_and(|p| p.ray == ray.ray && p.pixel.is_none());
+                let text = RichText::new(row(i, ray)).monospace();
+                if ui.selectable_label(chosen, text).clicked() {
+                    picked = Some(ray.ray);
+                }
             }
-        }
-    });
+        },
+    );
     if let Some(ray) = picked {
         app.settings.side = Some(crate::settings::Side::Inspector);
         app.inspector.pick(ui.ctx(), &app.world, Picked { ray, pixel: None }, None);

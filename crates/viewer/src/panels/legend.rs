@@ -14,7 +14,7 @@ const FONT: FontId = FontId::new(12.0, egui::FontFamily::Proportional);
 const PANEL: Color32 = Color32::from_black_alpha(215);
 const TEXT: Color32 = Color32::WHITE;
 /// Points a decade of the scale: as many as fit, between these.
-const STEPS: std::ops::RangeInclusive<f32> = 20.0..=40.0;
+const STEPS: std::ops::RangeInclusive<f32> = 14.0..=40.0;
 const MARGIN: f32 = 8.0;
 
 /// Paints the legend of a mode into a picture.

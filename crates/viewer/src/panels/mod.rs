@@ -31,7 +31,8 @@ pub(crate) fn show(app: &mut App, ui: &mut Ui) {
     if let Some(side) = app.settings.side {
         // Half of what is left belongs to the picture.
         let most = (ui.available_width() * 0.6).max(MIN_SIDE);
-        let panel = Panel::right("side").default_size(420.0).min_size(MIN_SIDE).max_size(most);
+        // A narrow window has a width of its own: the one it leaves no room for is not forgotten.
+        let panel = Panel::right(("side", most < 420.0)).default_size(420.0).min_size(MIN_SIDE).max_size(most);
         panel.show(ui, |ui| side::show(app, ui, side));
     }
     CentralPanel::no_frame().frame(Frame::NONE).show(ui, |ui| picture::show(app, ui));

@@ -2,11 +2,13 @@
 
 use egui::{Color32, CursorIcon, PointerButton, Rect, Response, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use rayproof::scene::Ray;
+use rayproof_picture::color::WRONG;
 
 use super::legend;
 use crate::app::App;
 use crate::canvas::{fit, pixel};
 use crate::inspector::Picked;
+use crate::model::look::Mode;
 use crate::model::navigate;
 use crate::model::paint::Figures;
 
@@ -45,9 +47,9 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     legend::paint(ui.painter(), rect, app.canvas.look.mode);
     marker(app, ui, rect, size);
     if app.world.scene.is_empty() {
-        let (at, anchor) = (rect.center(), egui::Align2::CENTER_CENTER);
-        let font = egui::FontId::proportional(16.0);
-        ui.painter().text(at, anchor, "The scene is empty: there is nothing to hit.", font, Color32::WHITE);
+        let (text, font) = ("The scene is empty: there is nothing to hit.", egui::FontId::proportional(16.0));
+        let galley = ui.painter().layout(text.to_owned(), font, Color32::WHITE, rect.width() - 16.0);
+        ui.painter().galley(rect.center() - galley.size() * 0.5, galley, Color32::WHITE);
     }
 }
 
@@ -148,7 +150,8 @@ pub(crate) fn pick(app: &mut App, context: &egui::Context, size: [u32; 2], pixel
 /// Rings around pixels that hit or miss wrongly, where they are few enough to be overlooked.
 fn wrong(app: &App, ui: &Ui, rect: Rect) {
     const FEW: usize = 60;
-    if !app.canvas.look.mode.judges() {
+    let mode = app.canvas.look.mode;
+    if !mode.judges() && mode != Mode::Difference {
         return;
     }
     let [width, height] = app.canvas.size;
@@ -163,7 +166,8 @@ fn wrong(app: &App, ui: &Ui, rect: Rect) {
         for &(place, verdict) in &errors.places {
             let share =
                 vec2((place % width) as f32 + 0.5, (place / width) as f32 + 0.5) / vec2(width as f32, height as f32);
-            let [r, g, b] = verdict.color();
+            // In the colour that the legend gives them.
+            let [r, g, b] = if mode == Mode::Verdict { verdict.color() } else { WRONG };
             for (thickness, color) in [(4.0, Color32::BLACK), (2.0, Color32::from_rgb(r, g, b))] {
                 painter.circle_stroke(rect.min + share * rect.size(), 6.0, Stroke::new(thickness, color));
             }

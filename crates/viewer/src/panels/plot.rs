@@ -32,7 +32,7 @@ const NONE: f64 = -1.0;
 
 pub(super) fn show(app: &mut App, ui: &mut Ui) {
     ui.heading("Speed against error");
-    ui.label("On the rays of this view: the time of a ray, and the error of t that 99.9 % of the hits stay within. Left and down is better.");
+    ui.label("On the rays of this view: the time of a ray, and the error of t that 99.9\u{a0}% of the hits stay within. Left and down is better.");
     match &app.measured {
         Some((_, Ok(measured))) => {
             plot(ui, measured);
@@ -54,9 +54,9 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
     }
 }
 
-/// The error as it is drawn: the worst of 99.9 %.
-fn height(measured: &Measured) -> f64 {
-    measured.errors.ulps.map_or(NONE, |[_, most, _]| if most == 0 { NONE } else { (most as f64).log10() })
+/// The error as it is drawn: the worst of 99.9 %; none where nothing is hit.
+fn height(measured: &Measured) -> Option<f64> {
+    measured.errors.ulps.map(|[_, most, _]| if most == 0 { NONE } else { (most as f64).log10() })
 }
 
 /// A mark of an axis, for the logarithm of what it says.
@@ -68,13 +68,19 @@ fn mark(decades: f64) -> String {
     }
 }
 
-/// Marks at 1, 2 and 5 of every decade.
+/// Marks at 1, 2 and 5 of every decade, or at more where that are few.
 fn decades(input: egui_plot::GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
+    // Enough that two at least are within.
+    let digits: &[(f64, f64)] = if high - low > 1.5 {
+        &[(1.0, 1.0), (2.0, 0.3), (5.0, 0.3)]
+    } else {
+        &[(1.0, 1.0), (1.5, 1.0), (2.0, 1.0), (3.0, 1.0), (5.0, 1.0), (7.0, 1.0)]
+    };
     let mut marks = Vec::new();
     let mut decade = low.floor();
     while decade <= high {
-        for (digit, step_size) in [(1.0_f64, 1.0), (2.0, 0.3), (5.0, 0.3)] {
+        for &(digit, step_size) in digits {
             let value = decade + digit.log10();
             // Not so near to an end that its label is cut.
             let gap = 0.04 * (high - low);
@@ -112,13 +118,18 @@ fn plot(ui: &mut Ui, measured: &[Measured]) {
         .show(ui, |plot| {
             for ((m, color), shape) in measured.iter().zip(COLORS).zip(SHAPES) {
                 let [median, low, high] = m.nanoseconds.map(f64::log10);
-                let y = height(m);
+                let Some(y) = height(m) else { continue };
                 plot.line(Line::new(m.precision.name(), vec![[low, y], [high, y]]).color(color).width(2.0));
                 let at = PlotPoints::from(vec![[median, y]]);
                 plot.points(Points::new(m.precision.name(), at).shape(shape).radius(6.0).color(color));
             }
         });
     ui.label(RichText::new("A mark is the median of five rounds, its line the fastest and the slowest.").weak());
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a text")]
+fn nanoseconds(time: f64) -> String {
+    grouped(time.round() as usize)
 }
 
 fn table(ui: &mut Ui, measured: &[Measured]) {
@@ -130,7 +141,11 @@ fn table(ui: &mut Ui, measured: &[Measured]) {
         for m in measured {
             ui.label(m.precision.name());
             let [median, low, high] = m.nanoseconds;
-            ui.label(format!("{median:.0}")).on_hover_text(format!("from {low:.0} to {high:.0} in five rounds"));
+            ui.label(nanoseconds(median)).on_hover_text(format!(
+                "from {} to {} in five rounds",
+                nanoseconds(low),
+                nanoseconds(high)
+            ));
             let [_, most, worst] =
                 m.errors.ulps.map_or_else(|| ["–", "–", "–"].map(str::to_owned), |ulps| ulps.map(many));
             ui.label(most);

@@ -5,12 +5,11 @@ use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::channel;
 
-use egui::{ColorImage, Context, ThemePreference, Ui};
+use egui::{ColorImage, ComboBox, Context, ThemePreference, Ui};
 use image::ExtendedColorType::Rgb8;
 use image::ImageEncoder as _;
 use image::codecs::png::PngEncoder;
 
-use super::words::list;
 use crate::app::App;
 use crate::model::task::Task;
 use crate::model::world::World;
@@ -69,11 +68,14 @@ fn theme(ui: &mut Ui) {
     let names =
         [(ThemePreference::System, "system"), (ThemePreference::Light, "light"), (ThemePreference::Dark, "dark")];
     let name = names.iter().find(|(value, _)| *value == theme).map_or("", |(_, name)| name);
-    list(ui, "theme", name, |ui| {
+    let label = ui.label("theme");
+    let list = ComboBox::from_id_salt("theme").width(60.0).selected_text(name);
+    let list = list.show_ui(ui, |ui| {
         for (value, name) in names {
             ui.selectable_value(&mut theme, value, name);
         }
     });
+    list.response.labelled_by(label.id);
     ui.ctx().set_theme(theme);
 }
 

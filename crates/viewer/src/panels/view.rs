@@ -109,8 +109,9 @@ fn camera(app: &mut App, ui: &mut Ui) {
     let shared = navigate::pixels_a_ray(camera, app.canvas.size);
     if shared >= 1.5 {
         let color = ui.visuals().warn_fg_color;
+        let many = if shared.is_finite() { format!("some {shared:.0}") } else { "all".to_owned() };
         let text = format!(
-            "The zoom is beyond f32: some {shared:.0} neighbouring pixels share one ray, whatever the method. \
+            "The zoom is beyond f32: {many} neighbouring pixels share one ray, whatever the method. \
              Blocks and stripes are the rays', not the method's."
         );
         ui.colored_label(color, text);
