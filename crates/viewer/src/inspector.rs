@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use rayproof::Precision;
-use rayproof::scene::{Camera, Ray};
+use rayproof::scene::Ray;
 
 use crate::model::inspection::Inspection;
 use crate::model::task::{Task, take};
@@ -13,8 +13,8 @@ use crate::model::world::World;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Picked {
     pub(crate) ray: Ray,
-    /// The pixel, and the camera and the size of its picture; none for a ray of the gallery.
-    pub(crate) pixel: Option<([u32; 2], Camera, [u32; 2])>,
+    /// The pixel; none for a ray of the gallery.
+    pub(crate) pixel: Option<[u32; 2]>,
 }
 
 /// The ray that was picked, and its inspection.

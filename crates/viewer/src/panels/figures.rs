@@ -78,7 +78,7 @@ fn next_wrong(app: &mut App, ui: &mut Ui, errors: &Errors, size: [u32; 2], by: P
         return;
     }
     let last = app.inspector.picked.as_ref().and_then(|picked| picked.pixel);
-    let last = last.map(|([x, y], ..)| y * size[0] + x);
+    let last = last.map(|[x, y]| y * size[0] + x);
     let after = |place: u32| last.is_none_or(|last| place > last);
     let next = errors.places.iter().find(|(place, _)| after(*place)).unwrap_or(&errors.places[0]).0;
     app.inspector.handed = Some(by);

@@ -125,7 +125,7 @@ fn hand_on(app: &mut App, ui: &mut Ui, inspection: &Inspection) {
 }
 
 fn ray(ui: &mut Ui, ray: &Ray, picked: &Picked) {
-    let of = picked.pixel.map_or_else(String::new, |([x, y], ..)| format!(" of the pixel {x}, {y}"));
+    let of = picked.pixel.map_or_else(String::new, |[x, y]| format!(" of the pixel {x}, {y}"));
     strong(ui, &format!("Ray{of}"));
     Grid::new("ray").num_columns(4).striped(true).show(ui, |ui| {
         vector(ui, "origin e", ray.origin);

@@ -142,7 +142,7 @@ fn ray(app: &App, size: [u32; 2], [x, y]: [u32; 2]) -> Ray {
 /// Picks the ray of a pixel.
 pub(crate) fn pick(app: &mut App, context: &egui::Context, size: [u32; 2], pixel: [u32; 2]) {
     let ray = ray(app, size, pixel);
-    let picked = Picked { ray, pixel: Some((pixel, app.camera, size)) };
+    let picked = Picked { ray, pixel: Some(pixel) };
     app.settings.side = Some(crate::settings::Side::Inspector);
     app.inspector.pick(context, &app.world, picked, None);
 }
