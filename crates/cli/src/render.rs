@@ -61,8 +61,7 @@ impl View<'_> {
             Show::Uv => self.shade(&mut picture, |_, hit| shade::by_uv(hit))?,
             Show::Error => {
                 let oracle = Oracle::new(scene);
-                let exact = |ray: &Ray| oracle.closest(ray).map_or(Hit::MISS, |exact| exact.to_hit());
-                self.shade(&mut picture, |ray, hit| shade::by_error(&exact(ray), hit))?;
+                self.shade(&mut picture, |ray, hit| shade::by_error(&oracle.hit(ray), hit))?;
                 legend::draw(&mut picture);
             }
             Show::Tier => {

@@ -90,6 +90,12 @@ impl<'s> Oracle<'s> {
         closest
     }
 
+    /// The closest hit as an engine writes it: its numbers rounded to the nearest, or [`Hit::MISS`].
+    #[must_use]
+    pub fn hit(&self, ray: &Ray) -> Hit {
+        self.closest(ray).map_or(Hit::MISS, |hit| hit.to_hit())
+    }
+
     /// Whether the ray hits anything.
     #[must_use]
     pub fn any(&self, ray: &Ray) -> bool {

@@ -51,7 +51,7 @@ fn push(times: &mut VecDeque<f32>, time: f32) {
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index")]
-pub(crate) fn quantile(times: &VecDeque<f32>, share: f32) -> Option<f32> {
+fn quantile(times: &VecDeque<f32>, share: f32) -> Option<f32> {
     let mut sorted: Vec<f32> = times.iter().copied().collect();
     sorted.sort_unstable_by(f32::total_cmp);
     sorted.get(((sorted.len().checked_sub(1)?) as f32 * share).round() as usize).copied()

@@ -34,7 +34,7 @@ impl Inspection {
         for (hit, precision) in hits.iter_mut().zip(Precision::ALL) {
             world.on_cpu(precision)?.closest(&[ray], std::slice::from_mut(hit))?;
         }
-        let truth = Oracle::new(&world.scene).closest(&ray).map_or(Hit::MISS, |hit| hit.to_hit());
+        let truth = Oracle::new(&world.scene).hit(&ray);
         let mut candidates: Vec<u32> = Vec::new();
         for hit in std::iter::once(&truth).chain(&hits).filter(|hit| hit.is_hit()) {
             if !candidates.contains(&hit.primitive) {

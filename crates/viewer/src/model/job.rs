@@ -81,7 +81,8 @@ impl<'a> Job<'a> {
             self.judge_pixels();
             if !self.is_stale() {
                 self.progress.state = State::Done;
-                self.publish();
+                // The pixels are those that are shown, unless the oracle had other answers.
+                if self.judge.contradicted() > 0 { self.publish() } else { self.report() }
             }
         }
         Ok(())

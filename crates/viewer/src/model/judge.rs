@@ -41,7 +41,7 @@ impl Judge {
         let places = &self.order[self.judged..self.order.len().min(self.judged + self.chunk)];
         let oracle = Oracle::new(scene);
         let ray = |place: u32| -> Ray { pixels.ray(place % size[0], place / size[0]) };
-        let answer = |&place: &u32| oracle.closest(&ray(place)).map_or(Hit::MISS, |hit| hit.to_hit());
+        let answer = |&place: &u32| oracle.hit(&ray(place));
         let answers: Vec<Hit> = places.par_iter().map(answer).collect();
         for (&place, answer) in places.iter().zip(&answers) {
             let known = &mut exact[place as usize];
@@ -79,8 +79,7 @@ mod tests {
         let size = [20, 13];
         let pixels = Camera::framing(&scene).pixels(20, 13);
         let rays = (0..13).flat_map(|y| (0..20).map(move |x| pixels.ray(x, y)));
-        let truth: Vec<Hit> =
-            rays.map(|ray| Oracle::new(&scene).closest(&ray).map_or(Hit::MISS, |h| h.to_hit())).collect();
+        let truth: Vec<Hit> = rays.map(|ray| Oracle::new(&scene).hit(&ray)).collect();
         let mut exact = truth.clone();
         let hit = exact.iter().position(Hit::is_hit).unwrap_or(0);
         exact[hit].t = f32::from_bits(exact[hit].t.to_bits() + 1);

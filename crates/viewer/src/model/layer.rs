@@ -17,20 +17,28 @@ pub(crate) enum Ask {
 }
 
 impl Ask {
+    /// What a side of a look shows: the left, 0, or that right of the split.
+    pub(crate) const fn shown(look: &Look, side: usize) -> Self {
+        match (look.mode, side) {
+            (Mode::Tier, _) => Self::Tiers,
+            (_, 0) => Self::Hits(look.left),
+            _ => Self::Hits(look.right),
+        }
+    }
+
+    /// What that is compared with.
+    pub(crate) const fn against(look: &Look) -> Option<Self> {
+        match look.mode {
+            Mode::Difference => Some(Self::Hits(look.right)),
+            mode if mode.judges() => Some(Self::Hits(Source::EXACT)),
+            _ => None,
+        }
+    }
+
     /// What a look is made of, what is shown first first.
     pub(crate) fn of(look: &Look) -> Vec<Self> {
-        let mut asks = match look.mode {
-            Mode::Tier => vec![Self::Tiers],
-            Mode::Difference => vec![Self::Hits(look.left), Self::Hits(look.right)],
-            _ => vec![Self::Hits(look.left)],
-        };
-        if look.is_split() {
-            asks.push(Self::Hits(look.right));
-        }
-        if look.mode.judges() {
-            asks.push(Self::Hits(Source::EXACT));
-        }
-        asks
+        let second = look.is_split().then(|| Self::shown(look, 1));
+        [Some(Self::shown(look, 0)), second, Self::against(look)].into_iter().flatten().collect()
     }
 }
 

@@ -4,7 +4,6 @@ use std::time::{Duration, Instant};
 
 use super::job::Job;
 use super::layer::Ask;
-use super::look::{Mode, Source};
 use super::paint::Side;
 use super::view::{Picture, State, View};
 
@@ -13,20 +12,10 @@ impl Job<'_> {
     fn side(&self, side: usize) -> Option<Side<'_>> {
         let look = &self.view.look;
         let layer = |ask| self.layers.get(&ask);
-        let shown = match (look.mode, side) {
-            (Mode::Tier, _) => Ask::Tiers,
-            (_, 0) => Ask::Hits(look.left),
-            _ => Ask::Hits(look.right),
-        };
-        let against = match look.mode {
-            Mode::Difference => Some(Ask::Hits(look.right)),
-            mode if mode.judges() => Some(Ask::Hits(Source::EXACT)),
-            _ => None,
-        };
-        let against = against.map(|ask| layer(ask).ok_or(())).transpose().ok()?;
+        let against = Ask::against(look).map(|ask| layer(ask).ok_or(())).transpose().ok()?;
         let View { world, size, .. } = &self.view;
-        let (pixels, mode) = (self.view.pixels(), look.mode);
-        Some(Side { scene: &world.scene, pixels, size: *size, mode, shown: layer(shown)?, against })
+        let (pixels, mode, shown) = (self.view.pixels(), look.mode, layer(Ask::shown(look, side))?);
+        Some(Side { scene: &world.scene, pixels, size: *size, mode, shown, against })
     }
 
     /// Paints what there is, and shows it.

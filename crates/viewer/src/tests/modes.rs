@@ -32,7 +32,7 @@ impl Expected {
     /// The oracle's answers.
     fn truth(&self) -> Vec<Hit> {
         let oracle = Oracle::new(&self.world.scene);
-        oracle.batch(&self.rays, |oracle, ray| oracle.closest(ray).map_or(Hit::MISS, |hit| hit.to_hit()))
+        oracle.batch(&self.rays, Oracle::hit)
     }
 
     /// What a mode shows of a method, from first principles: the answers themselves, coloured.
