@@ -5,7 +5,7 @@ const LEAF: u32 = 0x80000000u;
 // The word of no child.
 const NONE: u32 = 0xffffffffu;
 
-fn traverse(unit: UnitDirection, ray: TierRay) -> Found {
+fn traverse(unit: UnitDirection, ray: PreparedRay) -> Found {
     var found = found_start(ray);
     for (var i = 0u; i < NODE_COUNT; i += 1u) {
         let children = node_quad(i * 4u + 3u);

@@ -68,9 +68,9 @@ fn box_ray(origin: vec3<f32>, direction: vec3<f32>, s_min: f32) -> BoxRay {
     let still = abs(direction) < vec3<f32>(SMALLEST_DIRECTION);
     let moved = select(direction, vec3<f32>(SMALLEST_DIRECTION), still);
     // At least 2^-50 S, and at least 2^-22 |o_i| so that the sum is another number than o_i.
-    let wide = max(vec3<f32>(reach * 8.881784197001252e-16), abs(o) * 2.384185791015625e-7);
-    let from_low = select(o, o + wide, still);
-    let from_high = select(o, o - wide, still);
+    let slack = max(vec3<f32>(reach * 8.881784197001252e-16), abs(o) * 2.384185791015625e-7);
+    let from_low = select(o, o + slack, still);
+    let from_high = select(o, o - slack, still);
     let back = moved < vec3<f32>(0.0);
     return BoxRay(
         select(from_low, from_high, back),

@@ -1,6 +1,6 @@
 // Depth first, the nearest child next, the others kept with their keys and dropped when a nearer hit has been found.
 //
-// A tier says what a ray is (`TierRay`), what has been found so far (`Found`, `found_start`, `found_reach`, `found_finished`) and
+// A precision says what a ray is (`PreparedRay`), what has been found so far (`Found`, `found_start`, `found_reach`, `found_finished`) and
 // what a leaf adds to it (`intersect_leaf`); `node_quad` comes from the host, which knows over how many bindings the nodes are
 // spread. STACK_SIZE is the host's too: what this tree needs at most, plus three, since a push writes before it knows whether
 // the entry stays.
@@ -22,7 +22,7 @@ fn load_node(index: u32) -> Node {
     );
 }
 
-fn traverse(unit: UnitDirection, ray: TierRay) -> Found {
+fn traverse(unit: UnitDirection, ray: PreparedRay) -> Found {
     let boxes = box_ray(ray.origin, unit.direction, scale_by_power(ray.t_min, ray.box_exponent));
     var found = found_start(ray);
     var s_max = min(scale_by_power(found_reach(found), ray.box_exponent), FARTHEST);

@@ -5,7 +5,7 @@
 // and D = B^2 - 4 A C tells none (D < 0), one (D = 0, tangent) or two hits. -B +- sqrt(D) cancels where the root is
 // small beside B, so (Numerical Recipes 5.6): q = -(B + sgn(B) sqrt(D)) / 2 with sgn(0) = 1, t1 = q / A, t2 = C / q.
 // What it does not cure is the cancellation in D itself: r = 1 at distance 1e4 loses one hit in five.
-fn intersect_sphere(ray: TierRay, center: vec3<f32>, radius: f32) -> Candidate {
+fn intersect_sphere(ray: PreparedRay, center: vec3<f32>, radius: f32) -> Candidate {
     let o = ray.origin - center;
     let a = dot3(ray.direction, ray.direction);
     let b = 2.0 * dot3(ray.direction, o);

@@ -4,7 +4,7 @@
 //   [b - a, c - a, -d] [u v t]^T = e - a,
 // solved by Cramer's rule with determinants as triple products. v outside [0, 1] is rejected first, then u outside
 // [0, 1 - v], so that most misses pay for one numerator.
-fn intersect_triangle(ray: TierRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Candidate {
+fn intersect_triangle(ray: PreparedRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Candidate {
     let e1 = b - a;
     let e2 = c - a;
     let s = ray.origin - a;

@@ -1,5 +1,5 @@
 // Ray and sphere as in fast/sphere.wgsl, in numbers of twice the width; the roots are rounded at the end.
-fn intersect_sphere(ray: TierRay, center: vec3<f32>, radius: f32) -> Candidate {
+fn intersect_sphere(ray: PreparedRay, center: vec3<f32>, radius: f32) -> Candidate {
     let d = v(ray.direction);
     let o = minus(v(ray.origin), v(center));
     let a = dot_n(d, d);

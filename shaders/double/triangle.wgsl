@@ -1,5 +1,5 @@
 // Ray and triangle as in fast/triangle.wgsl, in numbers of twice the width; t, u and v are rounded at the end.
-fn intersect_triangle(ray: TierRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Candidate {
+fn intersect_triangle(ray: PreparedRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Candidate {
     let d = v(ray.direction);
     let p = minus(v(a), v(ray.origin));
     let e1 = minus(v(a), v(b));

@@ -1,4 +1,4 @@
-// The rays that a pass leaves to the next: one list of those the first tier left open, one of those whose numbers the second
+// The rays that a pass leaves to the next: one list of those the first stage left open, one of those whose numbers the second
 // could not round.
 struct List {
     opened: atomic<u32>,

@@ -1,5 +1,5 @@
-// A ray of the tier `exact`: scaled by powers of two, exactly, as that of the tier `fast`.
-struct TierRay {
+// A ray of the precision `exact`: scaled by powers of two, exactly, as that of the precision `fast`.
+struct PreparedRay {
     origin: vec3<f32>,
     t_min: f32,
     t_max: f32,
@@ -21,7 +21,7 @@ fn lost_any(given: vec3<f32>, scaled: vec3<f32>) -> bool {
     return lost(given.x, scaled.x) || lost(given.y, scaled.y) || lost(given.z, scaled.z);
 }
 
-fn tier_ray(ray: Ray, unit: UnitDirection) -> TierRay {
+fn prepared_ray(ray: Ray, unit: UnitDirection) -> PreparedRay {
     let m = params.scene_exponent;
     let e = unit.exponent + m;
     let origin = vec3<f32>(
@@ -33,5 +33,5 @@ fn tier_ray(ray: Ray, unit: UnitDirection) -> TierRay {
         && !lost_any(ray.direction, unit.direction)
         && !lost(ray.t_min, t_min)
         && !lost(ray.t_max, t_max);
-    return TierRay(origin, t_min, t_max, 0, -e, ordinary, line(origin, unit.direction));
+    return PreparedRay(origin, t_min, t_max, 0, -e, ordinary, line(origin, unit.direction));
 }

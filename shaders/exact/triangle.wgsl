@@ -1,6 +1,6 @@
 // What is certain of a line and a triangle, by the signs of its edge functions.
 //
-// With p = a - e, e1 = a - b, e2 = c - a, n = e2 x e1 and r = p x d (the tier `fast` has the same):
+// With p = a - e, e1 = a - b, e2 = c - a, n = e2 x e1 and r = p x d (the precision `fast` has the same):
 //   det = n.d,  U = r.e2 = u det,  V = r.e1 = v det,  W = det - U - V = (1 - u - v) det,  T = n.p = t det.
 // The line passes through the inside when U, V and W have one sign, and misses the closed triangle when two have opposite ones.
 //

@@ -5,7 +5,7 @@
 // Its error grows with r^2 + |l|^2, not with the distance squared as that of b^2 - a c does: r = 1 keeps its hits to
 // distance 1e6. The roots are q / a and c / q with q = -(b + sgn(b) sqrt(D)), sgn(0) = 1, c = o.o - r^2: no cancellation
 // between -b and the root.
-fn intersect_sphere(ray: TierRay, center: vec3<f32>, radius: f32) -> Candidate {
+fn intersect_sphere(ray: PreparedRay, center: vec3<f32>, radius: f32) -> Candidate {
     let o = ray.origin - center;
     let a = dot3(ray.direction, ray.direction);
     let b = dot3(ray.direction, o);

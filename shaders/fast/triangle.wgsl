@@ -5,7 +5,7 @@
 //   det = n.d,  det u = r.(c - a),  det v = r.(a - b),  det t = n.p.
 // t comes from the plane's normal, which on needles is better by orders of magnitude than s x e1. The signs are compared
 // with that of det, and u + v <= 1 as U + V <= |det|: nothing is divided before the verdict.
-fn intersect_triangle(ray: TierRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Candidate {
+fn intersect_triangle(ray: PreparedRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Candidate {
     let p = a - ray.origin;
     let e1 = a - b;
     let e2 = c - a;

@@ -1,5 +1,5 @@
 // A scene of triangles and spheres.
-fn intersect_leaf(ray: TierRay, word: u32, found: Found) -> Found {
+fn intersect_leaf(ray: PreparedRay, word: u32, found: Found) -> Found {
     if (word & SPHERES) == 0u {
         return intersect_triangles(ray, word, found);
     }

@@ -1,7 +1,7 @@
-// What the tiers in single precision make of a leaf.
+// What the precisions in f32 make of a leaf.
 
 // A ray as their formulas take it.
-struct TierRay {
+struct PreparedRay {
     origin: vec3<f32>,
     direction: vec3<f32>,
     t_min: f32,
@@ -25,7 +25,7 @@ const NO_HIT = Candidate(false, 0.0, 0.0, 0.0);
 // The closest hit so far.
 alias Found = Hit;
 
-fn found_start(ray: TierRay) -> Found {
+fn found_start(ray: PreparedRay) -> Found {
     return Hit(ray.t_max, 0.0, 0.0, MISS);
 }
 
@@ -49,7 +49,7 @@ fn closer(found: Candidate, id: u32, hit: Hit) -> Hit {
 // The hit of a ray, as it is returned.
 fn trace(given: Ray) -> Hit {
     let unit = unit_direction(given.direction);
-    let ray = tier_ray(given, unit);
+    let ray = prepared_ray(given, unit);
     let hit = traverse(unit, ray);
     let t = scale_by_power(hit.t, ray.out_exponent);
     return Hit(without_sign(t), without_sign(hit.u), without_sign(hit.v), hit.primitive);

@@ -1,5 +1,5 @@
 // The spheres of a leaf: one quad each, centre and radius, and the flat number in a list of its own.
-fn intersect_spheres(ray: TierRay, word: u32, before: Hit) -> Hit {
+fn intersect_spheres(ray: PreparedRay, word: u32, before: Hit) -> Hit {
     var hit = before;
     let first = leaf_first(word);
     let end = first + leaf_count(word);

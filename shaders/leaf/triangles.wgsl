@@ -1,5 +1,5 @@
 // The triangles of a leaf: three quads each, the flat number beside the first vertex.
-fn intersect_triangles(ray: TierRay, word: u32, before: Hit) -> Hit {
+fn intersect_triangles(ray: PreparedRay, word: u32, before: Hit) -> Hit {
     var hit = before;
     let first = leaf_first(word) * 3u;
     let end = first + leaf_count(word) * 3u;

@@ -1,7 +1,7 @@
 // Ray and sphere as schoolbooks have it, in f32: t = (-B +- sqrt(B^2 - 4 A C)) / 2A with A, B, C as in classic/sphere.wgsl.
 // It cancels twice: B^2 with 4 A C where the sphere is far for its size, and -B with the root where a root is small beside B.
 // Here so that both can be seen and measured.
-fn intersect_sphere(ray: TierRay, center: vec3<f32>, radius: f32) -> Candidate {
+fn intersect_sphere(ray: PreparedRay, center: vec3<f32>, radius: f32) -> Candidate {
     let o = ray.origin - center;
     let a = dot3(ray.direction, ray.direction);
     let b = 2.0 * dot3(ray.direction, o);

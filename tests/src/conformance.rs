@@ -1,6 +1,7 @@
 //! Kernel against twin, in every bit, over every family of hard cases.
 
-use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::Precision;
+use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray, Scene};
 use rayproof_cpu::Engine as Twin;
 use rayproof_gpu::{Engine as Kernel, Gpu};
@@ -22,29 +23,29 @@ struct Tally {
 
 /// A scene in both engines.
 struct Pair {
-    /// None where the scene is not one for which the tier `exact` runs on a device.
+    /// None where the scene is not one for which the precision `exact` runs on a device.
     kernel: Option<Kernel>,
     twin: Twin,
-    tier: Tier,
+    precision: Precision,
 }
 
 impl Pair {
-    fn new(gpu: std::sync::Arc<Gpu>, scene: &Scene, tier: Tier) -> Self {
-        let bvh = Bvh::new(scene, tier.scaling()).expect("small");
-        let kernel = (tier != Tier::Exact || bvh.plain)
-            .then(|| Kernel::new(gpu, &bvh, tier).expect("the scene fits the device"));
-        Self { kernel, twin: Twin::new(bvh, tier), tier }
+    fn new(gpu: std::sync::Arc<Gpu>, scene: &Scene, precision: Precision) -> Self {
+        let bvh = Bvh::new(scene, Scaling::of(precision)).expect("small");
+        let kernel = (precision != Precision::Exact || bvh.plain)
+            .then(|| Kernel::new(gpu, &bvh, precision).expect("the scene fits the device"));
+        Self { kernel, twin: Twin::new(bvh, precision), precision }
     }
 
     /// Compares all queries of both engines; panics where a bit differs. What the device leaves open is the twin's to answer, and
-    /// its first tier leaves open what the twin's does.
+    /// its first stage leaves open what the twin's does.
     fn compare(&self, what: &str, rays: &[Ray], tally: &mut Tally) {
         let Some(kernel) = &self.kernel else { return };
         let mut device = vec![Hit::MISS; rays.len()];
         let mut twin = device.clone();
         let open = kernel.closest(rays, &mut device).expect("the device answers");
         let undecided = self.twin.closest(rays, &mut twin);
-        assert_eq!(open.after_first, undecided.first_tier, "{what}: rays open after the first tier, closest");
+        assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, closest");
         open.rays.iter().for_each(|&i| device[i] = twin[i]);
         let closest = compare_bits(&device, &twin);
         assert!(closest.agrees(0), "{what}: kernel and twin differ\n{closest}");
@@ -54,13 +55,13 @@ impl Pair {
         let mut twin_any = vec![3; rays.len()];
         let open = kernel.any(rays, &mut device_any).expect("the device answers");
         let undecided = self.twin.any(rays, &mut twin_any);
-        assert_eq!(open.after_first, undecided.first_tier, "{what}: rays open after the first tier, any");
+        assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, any");
         open.rays.iter().for_each(|&i| device_any[i] = twin_any[i]);
         for (i, ray) in rays.iter().enumerate() {
             assert_eq!(device_any[i], twin_any[i], "{what}: any hit of ray {i}, {ray:?}");
             assert_eq!(device_any[i], u8::from(device[i].is_hit()), "{what}: any against closest of ray {i}, {ray:?}");
         }
-        if self.tier == Tier::Exact {
+        if self.precision == Precision::Exact {
             self.compare_counts(kernel, what, rays);
         }
         tally.rays += rays.len();
@@ -72,7 +73,7 @@ impl Pair {
         let mut twin = vec![u32::MAX; rays.len()];
         let open = kernel.count(rays, &mut device).expect("the device answers");
         let undecided = self.twin.count(rays, &mut twin);
-        assert_eq!(open.after_first, undecided.first_tier, "{what}: rays open after the first tier, count");
+        assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, count");
         open.rays.iter().for_each(|&i| device[i] = twin[i]);
         for (i, ray) in rays.iter().enumerate() {
             assert_eq!(device[i], twin[i], "{what}: crossings of ray {i}, {ray:?}");
@@ -103,9 +104,9 @@ fn kernels_equal_their_twins_over_all_families() {
         let mut tally = Tally::default();
         let cases = family.cases(SEED, RAYS_PER_FAMILY);
         for (i, Case { scene, rays }) in cases.iter().enumerate() {
-            for tier in Tier::ALL {
-                let what = format!("family {} ({}), case {i}, {tier:?}", family.number, family.name);
-                Pair::new(gpu(), scene, tier).compare(&what, rays, &mut tally);
+            for precision in Precision::ALL {
+                let what = format!("family {} ({}), case {i}, {precision:?}", family.number, family.name);
+                Pair::new(gpu(), scene, precision).compare(&what, rays, &mut tally);
             }
         }
         println!(
@@ -123,7 +124,7 @@ fn kernels_equal_their_twins_over_all_families() {
 fn batches_of_every_size_come_back_whole() {
     for &size in families::BATCH_SIZES {
         let Case { scene, rays } = families::batch(size);
-        let pair = Pair::new(gpu(), &scene, Tier::Fast);
+        let pair = Pair::new(gpu(), &scene, Precision::Fast);
         let mut tally = Tally::default();
         pair.compare(&format!("{size} rays"), &rays, &mut tally);
         let mut hits = vec![Hit::MISS; size];
@@ -147,13 +148,13 @@ fn lists_over_several_bindings_give_the_same_bits() {
             let family = &families::all()[number - 1];
             let mut tally = Tally::default();
             for case in family.cases(SEED, 4000) {
-                Pair::new(gpu.clone(), &case.scene, Tier::Fast).compare(family.name, &case.rays, &mut tally);
+                Pair::new(gpu.clone(), &case.scene, Precision::Fast).compare(family.name, &case.rays, &mut tally);
             }
         }
         let scene = crate::scenes::mixed(1200, 700);
         let rays = crate::scenes::rays_at(&scene, 30_000);
         let mut tally = Tally::default();
-        Pair::new(gpu.clone(), &scene, Tier::Fast).compare("a mixed scene", &rays, &mut tally);
+        Pair::new(gpu.clone(), &scene, Precision::Fast).compare("a mixed scene", &rays, &mut tally);
         println!("bindings of {bytes} bytes: {} rays, {} hits, 0 differ", tally.rays, tally.hits);
         assert!(tally.hits > 5000);
     }
@@ -164,10 +165,10 @@ fn every_kind_of_scene_has_its_kernel() {
     for (triangles, spheres) in [(0, 0), (1, 0), (0, 1), (1, 1), (3000, 0), (0, 3000), (2000, 2000)] {
         let scene = crate::scenes::mixed(triangles, spheres);
         let rays = crate::scenes::rays_at(&scene, 20_000);
-        for tier in Tier::ALL {
+        for precision in Precision::ALL {
             let mut tally = Tally::default();
-            let what = format!("{triangles} triangles, {spheres} spheres, {tier:?}");
-            Pair::new(gpu(), &scene, tier).compare(&what, &rays, &mut tally);
+            let what = format!("{triangles} triangles, {spheres} spheres, {precision:?}");
+            Pair::new(gpu(), &scene, precision).compare(&what, &rays, &mut tally);
             println!("{what}: {} rays, {} hits, 0 differ", tally.rays, tally.hits);
             assert!(tally.hits > 0 || triangles + spheres < 3, "{what}");
         }

@@ -17,7 +17,7 @@ pub(crate) fn gpu() -> Arc<Gpu> {
     GPU.get_or_init(open).clone()
 }
 
-/// The same with bindings of at most `bytes`, so that small scenes take several.
+/// That adapter with bindings of at most `bytes`, so that small scenes take several.
 pub(crate) fn gpu_with_small_bindings(bytes: u64) -> Arc<Gpu> {
     let mut gpu = Gpu::open(&Selector::Best).expect("the adapter opened before");
     gpu.limit_binding(bytes);

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use rayproof::scene::bvh::Tier;
+use rayproof::Precision;
 use rayproof_gpu::{Contents, Kernel, Pass, Query, Walk};
 
 /// Accessors as the host writes them for lists of one binding.
@@ -38,7 +38,7 @@ fn every_kernel_validates_and_every_file_is_used() {
     files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../shaders"), &mut sources);
     assert!(sources.len() > 15, "{} shader files", sources.len());
     let mut kernels = 0;
-    let passes = Tier::ALL.map(Pass::Trace).into_iter().chain(Pass::all_exact());
+    let passes = Precision::ALL.map(Pass::Trace).into_iter().chain(Pass::all_exact());
     for pass in passes {
         for query in Query::ALL {
             for (contents, walk) in Contents::ALL.into_iter().flat_map(|c| [(c, Walk::Tree), (c, Walk::Every)]) {
@@ -58,7 +58,7 @@ fn every_kernel_validates_and_every_file_is_used() {
             }
         }
     }
-    // The check kernels stand alone; every device that is opened for the tier `exact` runs both. The ray query is a peer's.
+    // The check kernels stand alone; every device that is opened for the precision `exact` runs both. The ray query is a peer's.
     let checks =
         |text: &String| ["fn fingerprint(", "fn trial(", "fn query_closest("].iter().any(|entry| text.contains(entry));
     used.extend((0..sources.len()).filter(|&i| checks(&sources[i])));

@@ -1,6 +1,7 @@
-//! The tier `fast` against exact arithmetic, family by family: nothing beyond what the tier promises.
+//! The precision `fast` against exact arithmetic, family by family: nothing beyond what the precision promises.
 
-use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::Precision;
+use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
@@ -37,8 +38,8 @@ impl Tally {
 
 fn judge(case: &Case, tally: &mut Tally) {
     let oracle = Oracle::new(&case.scene);
-    let bvh = Bvh::new(&case.scene, Tier::Fast.scaling()).expect("small");
-    let engine = Engine::new(bvh, Tier::Fast);
+    let bvh = Bvh::new(&case.scene, Scaling::of(Precision::Fast)).expect("small");
+    let engine = Engine::new(bvh, Precision::Fast);
     let mut hits = vec![Hit::MISS; case.rays.len()];
     let mut any = vec![2; case.rays.len()];
     engine.closest(&case.rays, &mut hits);

@@ -1,24 +1,20 @@
 //! The calculation that the oracle lays out, against the engines that it stands for: the same bits.
 
-use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::Precision;
+use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Triangle};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{self, Family};
-use rayproof_oracle::worked::{Answer, Method, Value, work};
+use rayproof_oracle::worked::{Answer, COLUMNS, EXACT, Value, work};
 
 const SEED: u64 = 20_261_125;
 const RAYS_PER_FAMILY: usize = 1_000;
 
-/// The tiers that are laid out.
-const TIERS: [(Tier, Method); 4] = [
-    (Tier::Textbook, Method::Textbook),
-    (Tier::Classic, Method::Classic),
-    (Tier::Fast, Method::Fast),
-    (Tier::Double, Method::Double),
-];
+/// The precisions that are laid out and that an engine computes in.
+const COMPUTED: &[Precision] = COLUMNS.split_at(EXACT).0;
 
-/// The families, and why what is laid out, on unscaled numbers, may differ there from a tier that scales.
+/// The families, and why what is laid out, on unscaled numbers, may differ there from a precision that scales.
 const OUT_OF_RANGE: [(u32, &str); 11] = [
     (7, "radii of 6e17: d.d r^2 overflows"),
     (11, "d.d underflows"),
@@ -38,11 +34,11 @@ const OUT_OF_RANGE: [(u32, &str); 11] = [
 struct Tally {
     answers: usize,
     hits: usize,
-    /// Answers that differ, tier by tier.
-    differ: [usize; TIERS.len()],
+    /// Answers that differ, precision by precision.
+    differ: [usize; EXACT],
     /// False hits that the tree spared a ray.
     spared: usize,
-    /// The first difference outside of the families and tiers that may differ.
+    /// The first difference outside of the families and precisions that may differ.
     wrong: Option<String>,
 }
 
@@ -63,9 +59,9 @@ impl Tally {
 
     fn compare(&mut self, ray: &Ray, primitive: &Primitive, out_of_range: bool) {
         let (scene, worked) = (alone(primitive), work(ray, primitive));
-        for (differ, (tier, method)) in self.differ.iter_mut().zip(TIERS) {
-            let Some(laid_out) = as_hit(&worked.answers[method as usize]) else { continue };
-            let engine = Engine::new(Bvh::new(&scene, tier.scaling()).expect("small"), tier);
+        for (i, &precision) in COMPUTED.iter().enumerate() {
+            let Some(laid_out) = as_hit(&worked.answers[i]) else { continue };
+            let engine = Engine::new(Bvh::new(&scene, Scaling::of(precision)).expect("small"), precision);
             let in_tree = closest(&engine, ray);
             let hit = closest(&engine.without_tree(), ray);
             if !hit.same_bits(&in_tree) {
@@ -75,9 +71,10 @@ impl Tally {
             self.answers += 1;
             self.hits += usize::from(hit.is_hit());
             if !hit.same_bits(&laid_out) {
-                *differ += 1;
-                if !(out_of_range && matches!(tier, Tier::Fast | Tier::Double)) {
-                    let what = || format!("{tier:?}: {hit:?}, laid out {laid_out:?}, of {ray:?} and {primitive:?}");
+                self.differ[i] += 1;
+                if !(out_of_range && matches!(precision, Precision::Fast | Precision::Double)) {
+                    let what =
+                        || format!("{precision:?}: {hit:?}, laid out {laid_out:?}, of {ray:?} and {primitive:?}");
                     self.wrong.get_or_insert_with(what);
                 }
             }

@@ -14,7 +14,7 @@ pub(crate) trait Answer: Copy + Send + Sync + 'static {
     /// The answer to a ray that hits nothing.
     const MISS: Self;
 
-    /// Asks the engine; returned is how many rays its tiers left open.
+    /// Asks the engine; returned is how many rays its stages left open.
     fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error>;
     /// Appends answers to the file.
     fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), scene::Error>;

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
-use rayproof::DeviceChoice;
+use rayproof::{DeviceChoice, Precision};
 
-use crate::choices::{Format, Invalid, Kind, Query, Show, Tier};
+use crate::choices::{Format, Invalid, Kind, Query, Show, precision};
 use crate::parse::{self, Shard, Size};
 
 /// Shoots rays at spheres and triangles, on the GPU or the CPU, and can prove each answer against exact arithmetic.
@@ -88,8 +88,8 @@ pub(crate) struct Intersect {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) query: Query,
 
-    #[arg(long, value_enum, default_value_t, help = PRECISION)]
-    pub(crate) precision: Tier,
+    #[arg(long, default_value = Precision::Exact.name(), value_parser = precision(), help = PRECISION)]
+    pub(crate) precision: Precision,
 
     #[arg(long, default_value_t, help = DEVICE)]
     pub(crate) device: DeviceChoice,
@@ -182,8 +182,8 @@ pub(crate) struct Render {
     #[arg(long, value_enum, default_value_t, help = "What a pixel shows")]
     pub(crate) show: Show,
 
-    #[arg(long, value_enum, default_value_t, help = PRECISION)]
-    pub(crate) precision: Tier,
+    #[arg(long, default_value = Precision::Exact.name(), value_parser = precision(), help = PRECISION)]
+    pub(crate) precision: Precision,
 
     #[arg(long, default_value_t, help = DEVICE)]
     pub(crate) device: DeviceChoice,
@@ -200,7 +200,7 @@ Examples:
   rayproof devices --json
 
 Each adapter runs a small kernel whose results are compared, bit for bit, with what IEEE 754 arithmetic gives: 'IEEE' \
-means that the tier 'fast' has the same bits there as on the CPU. 'exact' has them on every device; the last line tells \
+means that the precision 'fast' has the same bits there as on the CPU. 'exact' has them on every device; the last line tells \
 which numbers it computes with there.")]
 pub(crate) struct Devices {
     /// Print one JSON object

@@ -7,7 +7,6 @@ use rayproof_oracle::Oracle;
 use rayproof_oracle::judge::Verdict;
 
 use crate::answer::Answer;
-use crate::choices::Tier;
 use crate::exit::say;
 use crate::progress::Progress;
 use crate::sample::Sample;
@@ -25,16 +24,16 @@ pub(crate) struct Checked {
     pub(crate) correctly_rounded: u64,
     /// How far `t` is off at most among the answers with the exact primitive; `None` where no answer has a `t`.
     pub(crate) worst_ulp: Option<u64>,
-    /// Not the exact answer, but one that the precision tier allows.
+    /// Not the exact answer, but one that the precision allows.
     pub(crate) within_promise: u64,
     pub(crate) disagreed: u64,
 }
 
 /// Asks the oracle about every sample, in parallel, and prints the disagreements on stderr, the first few in full.
 ///
-/// The tier `classic` promises nothing: there an answer that only the promise of another tier allows is a disagreement. The
-/// tier `exact` promises the exact answer, each number rounded to the nearest: there anything else is one.
-pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier, quiet: bool) -> Checked {
+/// The precision `classic` promises nothing: there an answer that only the promise of another precision allows is a disagreement. The
+/// precision `exact` promises the exact answer, each number rounded to the nearest: there anything else is one.
+pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], precision: Precision, quiet: bool) -> Checked {
     if samples.is_empty() {
         return Checked::default();
     }
@@ -46,7 +45,7 @@ pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier,
         for (sample, verdict) in chunk.iter().zip(verdicts) {
             checked.checked += 1;
             let fault = match verdict {
-                _ if tier == Tier::Exact && !verdict.is_nearest() => {
+                _ if precision == Precision::Exact && !verdict.is_nearest() => {
                     format!("disagrees: it is not the exact answer, correctly rounded\n{verdict}")
                 }
                 Verdict::Exact(errors) => {
@@ -56,8 +55,8 @@ pub(crate) fn check<A: Answer>(scene: &Scene, samples: &[Sample<A>], tier: Tier,
                     }
                     continue;
                 }
-                Verdict::WithinPromise(case) if tier != Tier::Fast => {
-                    let name = Precision::from(tier).name();
+                Verdict::WithinPromise(case) if precision != Precision::Fast => {
+                    let name = precision.name();
                     format!("disagrees: it is not the exact answer, and {name} promises no other\n{case}")
                 }
                 Verdict::WithinPromise(_) => {

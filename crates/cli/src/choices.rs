@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rayproof::Precision;
 use rayproof::scene::{self, InvalidRays};
 
@@ -21,35 +22,19 @@ pub(crate) enum Query {
     Count,
 }
 
-/// How hits are computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Tier {
-    /// The schoolbook quadratic in f32, to see it fail; triangles as classic
-    Textbook,
-    /// The stable quadratic and Cramer's rule in f32
-    Classic,
-    /// f32 in its best-conditioned form
-    Fast,
-    /// The formulas of fast in pairs of f32
-    Pair,
-    /// The formulas of fast in f64
-    Double,
-    /// The answer of exact arithmetic, its numbers rounded once
-    #[default]
-    Exact,
-}
-
-impl From<Tier> for Precision {
-    fn from(tier: Tier) -> Self {
-        match tier {
-            Tier::Textbook => Self::Textbook,
-            Tier::Classic => Self::Classic,
-            Tier::Fast => Self::Fast,
-            Tier::Pair => Self::Pair,
-            Tier::Double => Self::Double,
-            Tier::Exact => Self::Exact,
-        }
-    }
+/// Reads a precision, each with what it is.
+pub(crate) fn precision() -> impl TypedValueParser<Value = Precision> {
+    let values = Precision::ALL.map(|precision| {
+        PossibleValue::new(precision.name()).help(match precision {
+            Precision::Textbook => "The schoolbook quadratic in f32, to see it fail; triangles as classic",
+            Precision::Classic => "The stable quadratic and Cramer's rule in f32",
+            Precision::Fast => "f32 in its best-conditioned form",
+            Precision::Pair => "The formulas of fast in pairs of f32",
+            Precision::Double => "The formulas of fast in f64",
+            Precision::Exact => "The answer of exact arithmetic, its numbers rounded once",
+        })
+    });
+    PossibleValuesParser::new(values).try_map(|name| name.parse::<Precision>())
 }
 
 /// What becomes of a bad ray.
@@ -139,6 +124,7 @@ pub(crate) enum Show {
     /// The error of t in ULP, against exact arithmetic (slow): from dark violet (none) over green to yellow (a
     /// million and more), red where another primitive or none is right
     Error,
-    /// Which tier of the cascade decides the hit (precision exact only): blue in f32, orange in double width, red exactly
-    Tier,
+    /// Which stage of the cascade decides the hit (precision exact only): blue in f32, orange in double width, red exactly
+    #[value(name = "tier", alias = "stage")]
+    Stage,
 }

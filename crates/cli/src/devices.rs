@@ -35,7 +35,7 @@ struct Adapter {
     max_binding_bytes: u64,
     /// The arithmetic, once for every way a kernel can reach the driver; the first is the one that is used.
     fingerprints: Vec<Arithmetic>,
-    /// The numbers of the tier `exact` after its first pass.
+    /// The numbers of the precision `exact` after its first pass.
     exact: Option<String>,
 }
 
@@ -110,8 +110,9 @@ fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &[AdapterReport]) -> Stri
                 let _ = writeln!(text, "         {line}");
             }
         }
-        let exact = a.wide.map_or_else(|| "on the CPU engine".to_owned(), |wide| format!("f32, then {wide}"));
-        let _ = writeln!(text, "         the tier exact: {exact}");
+        let exact =
+            a.second_stage.map_or_else(|| "on the CPU engine".to_owned(), |second| format!("f32, then {second}"));
+        let _ = writeln!(text, "         the precision exact: {exact}");
     }
     text
 }
@@ -127,7 +128,7 @@ fn adapter(report: AdapterReport) -> Adapter {
         pci_bus: Some(report.pci_bus).filter(|bus| !bus.is_empty()),
         max_binding_bytes: report.max_binding,
         fingerprints: fingerprints.map(|f| f.map_or_else(|error| Arithmetic::Failed { error }, arithmetic)).collect(),
-        exact: report.wide.map(|wide| wide.to_string()),
+        exact: report.second_stage.map(|second| second.to_string()),
     }
 }
 

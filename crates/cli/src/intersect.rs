@@ -9,7 +9,7 @@ use rayproof::{Intersector, Options, Precision};
 use crate::answer::Answer;
 use crate::args::Intersect;
 use crate::check::{Checked, check};
-use crate::choices::{Query, Tier};
+use crate::choices::Query;
 use crate::exit::{Code, Failure, print, say};
 use crate::interrupt::Writing;
 use crate::pipeline::{self, Traced};
@@ -25,7 +25,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
         let message = "--json: the hits go to stdout already; give -o a file, or leave --json out";
         return Err(Failure::new(Code::Usage, message));
     }
-    if args.query == Query::Count && args.precision != Tier::Exact {
+    if args.query == Query::Count && args.precision != Precision::Exact {
         let message = "--query count: crossings are counted exactly or not at all; give --precision exact";
         return Err(Failure::new(Code::Usage, message));
     }
@@ -35,7 +35,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     let load = loading.elapsed().as_secs_f64();
     target::is_no_input(&args.output, sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
     let source = Source::open(&args.rays, args.invalid.into(), args.shard)?;
-    let options = Options { precision: args.precision.into(), device: args.device.clone() };
+    let options = Options { precision: args.precision, device: args.device.clone() };
     let engine = Intersector::new(&scene, &options)?;
     let run = Run { args, format, scene, engine, started, load };
     match args.query {
@@ -125,7 +125,7 @@ impl Run<'_> {
         Summary {
             device: device.name.clone(),
             driver: device.driver.clone(),
-            precision: Precision::from(self.args.precision).name(),
+            precision: self.args.precision.name(),
             query: A::QUERY,
             scene: SceneSize::of(&self.scene),
             rays,

@@ -1,7 +1,7 @@
-//! The scale of an error picture and the colours of one of tiers, drawn into the lower left corner.
+//! The scale of an error picture and the colours of one of stages, drawn into the lower left corner.
 
 use font8x8::{BASIC_FONTS, UnicodeFonts as _};
-use rayproof_picture::color::{BACKGROUND, DECADES, Rgb, TIERS, WRONG, viridis};
+use rayproof_picture::color::{BACKGROUND, DECADES, Rgb, STAGES, WRONG, viridis};
 
 use crate::picture::Picture;
 
@@ -36,15 +36,15 @@ pub(crate) fn draw(picture: &mut Picture) {
     text(picture, (left + 142, top + 35), "miss");
 }
 
-/// Draws what the colours of tiers stand for.
-pub(crate) fn draw_tiers(picture: &mut Picture) {
+/// Draws what the colours of stages stand for.
+pub(crate) fn draw_stages(picture: &mut Picture) {
     if picture.size.width < WIDTH || picture.size.height < 4 * HEIGHT {
         return;
     }
     let top = picture.size.height - HEIGHT / 2;
     fill(picture, (0, top), (WIDTH, HEIGHT / 2), PANEL);
     let labels = ["f32", "double width", "exact"];
-    for ((color, label), x) in TIERS.into_iter().zip(labels).zip([8, 88, 232]) {
+    for ((color, label), x) in STAGES.into_iter().zip(labels).zip([8, 88, 232]) {
         fill(picture, (x, top + 7), (10, 10), color);
         text(picture, (x + 14, top + 8), label);
     }

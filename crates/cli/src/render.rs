@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 use rayproof::scene::{Camera, Hit, Ray, Scene};
-use rayproof::{Intersector, Options};
+use rayproof::{Intersector, Options, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_picture::color::Rgb;
 use rayproof_picture::shade;
 
 use crate::args::Render;
-use crate::choices::{Show, Tier};
+use crate::choices::Show;
 use crate::exit::{Code, Failure, say};
 use crate::picture::Picture;
 use crate::progress::Progress;
@@ -24,15 +24,15 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
         let message = format!("--output: {}: a picture is a PNG; give a name that ends in .png", args.output.display());
         return Err(Failure::new(Code::Usage, message));
     }
-    if args.show == Show::Tier && args.precision != Tier::Exact {
-        let message = "--show tier: only the tier exact is a cascade of tiers; give --precision exact";
+    if args.show == Show::Stage && args.precision != Precision::Exact {
+        let message = "--show tier: only the precision exact is a cascade of stages; give --precision exact";
         return Err(Failure::new(Code::Usage, message));
     }
     target::has_folder(&args.output)?;
     let loaded = rayproof::scene::load(&args.scene)?;
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
-    let options = Options { precision: args.precision.into(), device: args.device.clone() };
+    let options = Options { precision: args.precision, device: args.device.clone() };
     let engine = Intersector::new(&loaded.scene, &options)?;
     let view = View { args, scene: &loaded.scene, camera, engine };
     view.draw()?.save(&args.output)?;
@@ -64,16 +64,16 @@ impl View<'_> {
                 self.shade(&mut picture, |ray, hit| shade::by_error(&oracle.hit(ray), hit))?;
                 legend::draw(&mut picture);
             }
-            Show::Tier => {
-                let mut tiers = Vec::new();
+            Show::Stage => {
+                let mut stages = Vec::new();
                 self.each_block(|rays| {
-                    tiers.clear();
-                    tiers.resize(rays.len(), 0);
-                    self.engine.deciding_tiers(rays, &mut tiers)?;
-                    picture.push(tiers.iter().map(|&tier| shade::by_tier(tier)));
+                    stages.clear();
+                    stages.resize(rays.len(), 0);
+                    self.engine.deciding_stages(rays, &mut stages)?;
+                    picture.push(stages.iter().map(|&stage| shade::by_stage(stage)));
                     Ok(())
                 })?;
-                legend::draw_tiers(&mut picture);
+                legend::draw_stages(&mut picture);
             }
             Show::Depth => {
                 let mut distances = Vec::new();

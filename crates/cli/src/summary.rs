@@ -46,18 +46,20 @@ impl SceneSize {
     }
 }
 
-/// How many rays each tier of the cascade left open; all 0 in the tiers of single precision. A ray whose answer the first tier
+/// How many rays each stage of the cascade left open; all 0 in the precisions without one. A ray whose answer the first stage
 /// settled may still have a number that double width cannot round.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct Undecided {
-    pub(crate) first_tier: u64,
+    /// The word that scripts know.
+    #[serde(rename = "first_tier")]
+    pub(crate) first_stage: u64,
     pub(crate) after_refine: u64,
     pub(crate) resolved_on_cpu: u64,
 }
 
 impl From<scene::Undecided> for Undecided {
-    fn from(scene::Undecided { first_tier, after_refine, resolved_on_cpu }: scene::Undecided) -> Self {
-        Self { first_tier, after_refine, resolved_on_cpu }
+    fn from(scene::Undecided { first_stage, after_refine, resolved_on_cpu }: scene::Undecided) -> Self {
+        Self { first_stage, after_refine, resolved_on_cpu }
     }
 }
 
@@ -83,7 +85,7 @@ impl fmt::Display for Summary {
             write!(f, ", {} values rounded from float64 to float32", grouped(self.rounded_values))?;
         }
         if self.precision == "exact" {
-            let [open, last] = [self.undecided.first_tier, self.undecided.resolved_on_cpu].map(grouped);
+            let [open, last] = [self.undecided.first_stage, self.undecided.resolved_on_cpu].map(grouped);
             write!(f, "\nopen    {open} answers after f32; {last} answers or roundings left to exact arithmetic")?;
         }
         let Seconds { load, build, trace, resolve, total } = self.seconds;

@@ -3,7 +3,7 @@
 use rayproof_scene::bvh::Bvh;
 use rayproof_scene::{Hit, MISS};
 
-use crate::bvh::traverse::{Found, TierRay};
+use crate::bvh::traverse::{Found, PreparedRay};
 use crate::math::{scale_by_power, without_sign};
 
 /// What every ray of a batch shares.
@@ -11,7 +11,7 @@ use crate::math::{scale_by_power, without_sign};
 pub(crate) struct Params {
     pub(crate) scene_exponent: i32,
     pub(crate) scene_size: f32,
-    /// Whether the tier `exact` has bounds for this scene in `f32`.
+    /// Whether the precision `exact` has bounds for this scene in `f32`.
     pub(crate) plain: bool,
     /// Whether the scene holds spheres.
     pub(crate) spheres: bool,
@@ -39,7 +39,7 @@ pub(crate) struct Candidate {
 
 pub(crate) const NO_HIT: Candidate = Candidate { hit: false, t: 0.0, u: 0.0, v: 0.0 };
 
-/// A ray as the formulas of the tiers in single precision take it.
+/// A ray as the formulas of the precisions in `f32` take it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SingleRay {
     pub(crate) origin: glam::Vec3A,
@@ -52,7 +52,7 @@ pub(crate) struct SingleRay {
     pub(crate) out_exponent: i32,
 }
 
-impl TierRay for SingleRay {
+impl PreparedRay for SingleRay {
     #[inline(always)]
     fn origin(&self) -> glam::Vec3A {
         self.origin

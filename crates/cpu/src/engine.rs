@@ -1,17 +1,17 @@
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use rayproof_scene::bvh::{Bvh, Tier};
-use rayproof_scene::{Hit, MISS, Ray, Undecided};
+use rayproof_scene::bvh::{Bvh, Scaling};
+use rayproof_scene::{Hit, MISS, Precision, Ray, Undecided};
 
 use crate::batch::{Claims, Nearest, Params, SingleRay};
-use crate::bvh::slab::{UnitDirection, WideNode, unit_direction};
-use crate::bvh::traverse::{Found, LEAF, Stack, TierRay, stack, traverse};
+use crate::bvh::slab::{UnitDirection, UnpackedNode, unit_direction};
+use crate::bvh::traverse::{Found, LEAF, PreparedRay, Stack, stack, traverse};
 use crate::exact::{self, Crossings, First, FirstRay, first, second, second::SecondRay};
 use crate::formulas::{Classic, Double, Fast, Formulas, Pair, Textbook};
 use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles, leaf_range};
 use crate::primitives::Primitives;
-use crate::wide;
+use crate::simd;
 
 /// Rays one task takes at most: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
@@ -19,32 +19,32 @@ const TASK: usize = 4096;
 /// Rays a block: few enough to stay in the nearest cache.
 const BLOCK: usize = 64;
 
-/// A tree ready to be walked, and the tier whose formulas run at its leaves.
+/// A tree ready to be walked, and the precision whose formulas run at its leaves.
 #[derive(Clone, Debug)]
 pub struct Engine {
-    nodes: Arc<[WideNode]>,
+    nodes: Arc<[UnpackedNode]>,
     primitives: Arc<Primitives>,
     stack_depth: usize,
     params: Params,
-    tier: Tier,
+    precision: Precision,
     /// The words of all leaves, where each is visited by every ray.
     every: Option<Vec<u32>>,
 }
 
-/// Calls a method for the formulas of a tier in single precision.
+/// Calls a method for the formulas of a precision other than `exact`.
 macro_rules! by_formulas {
-    ($tier:expr, $self:ident.$method:ident($($argument:expr),*)) => {
-        match $tier {
-            Tier::Textbook => $self.$method::<Textbook>($($argument),*),
-            Tier::Classic => $self.$method::<Classic>($($argument),*),
-            Tier::Fast | Tier::Exact => $self.$method::<Fast>($($argument),*),
-            Tier::Pair => $self.$method::<Pair>($($argument),*),
-            Tier::Double => $self.$method::<Double>($($argument),*),
+    ($precision:expr, $self:ident.$method:ident($($argument:expr),*)) => {
+        match $precision {
+            Precision::Textbook => $self.$method::<Textbook>($($argument),*),
+            Precision::Classic => $self.$method::<Classic>($($argument),*),
+            Precision::Fast | Precision::Exact => $self.$method::<Fast>($($argument),*),
+            Precision::Pair => $self.$method::<Pair>($($argument),*),
+            Precision::Double => $self.$method::<Double>($($argument),*),
         }
     };
 }
 
-/// Which tiers of the cascade a ray went through.
+/// Which stages of the cascade a ray went through.
 #[derive(Clone, Copy, Debug, Default)]
 struct Path {
     /// The first left it open.
@@ -56,40 +56,40 @@ struct Path {
 impl Path {
     fn tally(self) -> Undecided {
         let exact = u64::from(self.doubts > 0);
-        Undecided { first_tier: u64::from(self.open), after_refine: exact, resolved_on_cpu: exact }
+        Undecided { first_stage: u64::from(self.open), after_refine: exact, resolved_on_cpu: exact }
     }
 }
 
 impl Engine {
-    /// Makes a tree ready for the formulas of `tier`, for which it was scaled.
+    /// Makes a tree ready for the formulas of `precision`, for which it was scaled.
     #[must_use]
-    pub fn new(bvh: Bvh, tier: Tier) -> Self {
+    pub fn new(bvh: Bvh, precision: Precision) -> Self {
         let (stack_depth, params) = (bvh.stack_depth, Params::new(&bvh));
         // The packed nodes and triangles end here: their decoded form is all that is walked.
         let (primitives, nodes) = Primitives::new(bvh);
-        Self { nodes: nodes.into(), primitives: primitives.into(), stack_depth, params, tier, every: None }
+        Self { nodes: nodes.into(), primitives: primitives.into(), stack_depth, params, precision, every: None }
     }
 
-    /// The same tree with the formulas of another tier, shared and not copied; `None` where that tier scales scenes otherwise.
+    /// This tree with the formulas of another precision, shared and not copied; `None` where that one scales scenes otherwise.
     #[must_use]
-    pub fn with_tier(&self, tier: Tier) -> Option<Self> {
-        (tier.scaling() == self.tier.scaling()).then(|| Self { tier, ..self.clone() })
+    pub fn with_precision(&self, precision: Precision) -> Option<Self> {
+        (Scaling::of(precision) == Scaling::of(self.precision)).then(|| Self { precision, ..self.clone() })
     }
 
-    /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
     #[must_use]
     pub fn without_tree(self) -> Self {
-        let words = self.nodes.iter().flat_map(WideNode::children).filter(|&word| word != MISS && word >= LEAF);
+        let words = self.nodes.iter().flat_map(UnpackedNode::children).filter(|&word| word != MISS && word >= LEAF);
         Self { every: Some(words.collect()), ..self }
     }
 
-    /// The closest hit of each ray, in the rays' order; returned is how many rays the tier `exact` left open on its way.
+    /// The closest hit of each ray, in the rays' order; returned is how many rays the precision `exact` left open on its way.
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Undecided {
-        if self.tier != Tier::Exact {
-            return by_formulas!(self.tier, self.closest_by(rays, hits));
+        if self.precision != Precision::Exact {
+            return by_formulas!(self.precision, self.closest_by(rays, hits));
         }
         self.batch(
             rays,
@@ -110,8 +110,8 @@ impl Engine {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Undecided {
-        if self.tier != Tier::Exact {
-            return by_formulas!(self.tier, self.any_by(rays, hits));
+        if self.precision != Precision::Exact {
+            return by_formulas!(self.precision, self.any_by(rays, hits));
         }
         self.batch(
             rays,
@@ -122,16 +122,16 @@ impl Engine {
         )
     }
 
-    /// How many primitives claim that the ray hits them in range, by the formulas of the tier; those of `fast` in the tier
+    /// How many primitives claim that the ray hits them in range, by the formulas of the precision; those of `fast` in the precision
     /// `exact`. On a closed mesh an even number from inside is a leak or a double hit.
     ///
     /// # Panics
     /// When `rays` and `claims` differ in length.
     pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) {
-        by_formulas!(self.tier, self.claims_by(rays, claims));
+        by_formulas!(self.precision, self.claims_by(rays, claims));
     }
 
-    /// How often each ray crosses the surface, exactly, whatever the tier: through a shared edge or vertex of a closed mesh
+    /// How often each ray crosses the surface, exactly, whatever the precision: through a shared edge or vertex of a closed mesh
     /// once; at a tangent of a sphere twice.
     ///
     /// # Panics
@@ -146,11 +146,11 @@ impl Engine {
         )
     }
 
-    /// Which tier of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in `f64`, 3 exactly.
+    /// Which stage of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in `f64`, 3 exactly.
     ///
     /// # Panics
-    /// When `rays` and `tiers` differ in length.
-    pub fn deciding_tiers(&self, rays: &[Ray], tiers: &mut [u8]) {
+    /// When `rays` and `stages` differ in length.
+    pub fn deciding_stages(&self, rays: &[Ray], stages: &mut [u8]) {
         let decide = |ray: &Ray, stack: &mut Stack, path: &mut Path| {
             let slot = self.exact_slot::<false>(ray, stack, path);
             if slot != MISS {
@@ -158,7 +158,7 @@ impl Engine {
             }
             if path.doubts > 0 { 3 } else { 1 + u8::from(path.open) }
         };
-        self.batch(rays, tiers, decide, |_, _, _| {});
+        self.batch(rays, stages, decide, |_, _, _| {});
     }
 
     /// Answers every ray, a block at a time; then `finish` goes over the block: independent work, which the processor overlaps.
@@ -178,7 +178,7 @@ impl Engine {
                 || stack(self.stack_depth),
                 |stack, (rays, answers)| {
                     let mut undecided = Undecided::default();
-                    wide::run(
+                    simd::run(
                         #[inline(always)]
                         || {
                             for (rays, answers) in rays.chunks(BLOCK).zip(answers.chunks_mut(BLOCK)) {
@@ -236,7 +236,7 @@ impl Engine {
         self.batch(rays, claims, count, |_, _, _| {});
     }
 
-    /// The hit by the formulas of a tier in single precision.
+    /// The hit by the formulas of a precision other than `exact`.
     #[inline(always)]
     fn nearest<F: Formulas, const ANY: bool>(&self, ray: &Ray, stack: &mut Stack) -> Hit {
         let unit = unit_direction(ray.direction);
@@ -257,7 +257,7 @@ impl Engine {
 
     /// The walk over the leaves that the scene has.
     #[inline(always)]
-    fn walk<R: TierRay, F: Found>(
+    fn walk<R: PreparedRay, F: Found>(
         &self,
         stack: &mut Stack,
         unit: &UnitDirection,
@@ -327,7 +327,7 @@ impl Engine {
         self.narrow_slot(ray, &unit, &first, &found, stack, path)
     }
 
-    /// The same of a ray that the first tier left open: only between the two ends that it found.
+    /// The closest hit of a ray that the first stage left open: only between the two ends that it found.
     fn narrow_slot<const ANY: bool>(
         &self,
         ray: &Ray,
@@ -348,7 +348,7 @@ impl Engine {
         found.slot()
     }
 
-    /// The same of a ray that is not for the first tier.
+    /// The closest hit of a ray that is not for the first stage.
     fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);

@@ -1,4 +1,4 @@
-//! The tiers in single precision, and those that round at the end: each a choice of formulas.
+//! The precisions in `f32`, and those that round at the end: each a choice of formulas.
 
 use glam::Vec4;
 use rayproof_scene::{Ray, Sphere};
@@ -10,7 +10,7 @@ use crate::exact::two::Two;
 use crate::lanes::{Candidates, Triangles4};
 use crate::{classic, fast, textbook};
 
-/// How a tier computes hits.
+/// How a precision computes hits.
 pub(crate) trait Formulas {
     fn ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> SingleRay;
     fn triangles(ray: &SingleRay, triangles: &Triangles4) -> Candidates;
@@ -39,9 +39,9 @@ macro_rules! formulas {
 }
 
 formulas! {
-    Textbook: classic::tier_ray, classic::intersect_triangle, textbook::intersect_sphere;
-    Classic: classic::tier_ray, classic::intersect_triangle, classic::intersect_sphere;
-    Fast: fast::tier_ray, fast::intersect_triangle, fast::intersect_sphere;
-    Pair: fast::tier_ray, double::intersect_triangle::<Two<Vec4>>, double::intersect_sphere::<Two<f32>>;
-    Double: fast::tier_ray, double::intersect_triangle::<F64x4>, double::intersect_sphere::<f64>;
+    Textbook: classic::prepared_ray, classic::intersect_triangle, textbook::intersect_sphere;
+    Classic: classic::prepared_ray, classic::intersect_triangle, classic::intersect_sphere;
+    Fast: fast::prepared_ray, fast::intersect_triangle, fast::intersect_sphere;
+    Pair: fast::prepared_ray, double::intersect_triangle::<Two<Vec4>>, double::intersect_sphere::<Two<f32>>;
+    Double: fast::prepared_ray, double::intersect_triangle::<F64x4>, double::intersect_sphere::<f64>;
 }

@@ -7,12 +7,12 @@
 //!
 //! ```
 //! use glam::Vec3;
-//! use rayproof_cpu::{Engine, Tier};
+//! use rayproof_cpu::{Engine, Precision};
 //! use rayproof_scene::bvh::Bvh;
 //! use rayproof_scene::{Geometry, Hit, Ray, Scene, Sphere};
 //!
 //! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
-//! let engine = Engine::new(Bvh::new(&scene, Tier::Fast.scaling())?, Tier::Fast);
+//! let engine = Engine::new(Bvh::new(&scene, Scaling::of(Precision::Fast))?, Precision::Fast);
 //! let mut hits = [Hit::MISS];
 //! engine.closest(&[Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z)], &mut hits);
 //! assert_eq!(hits[0].t, 2.0);
@@ -33,11 +33,10 @@ mod leaf;
 mod math;
 mod number;
 mod primitives;
+mod simd;
 mod textbook;
-mod wide;
 
 pub use engine::Engine;
-pub use rayproof_scene::bvh::Tier;
 
 /// How many threads the engine uses.
 #[must_use]

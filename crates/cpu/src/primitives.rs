@@ -1,9 +1,9 @@
-//! The primitives in the order of the tree's leaves, as each tier takes them.
+//! The primitives in the order of the tree's leaves, as each precision takes them.
 
 use rayproof_scene::Sphere;
 use rayproof_scene::bvh::{Bvh, Child, Originals, PackedTriangle};
 
-use crate::bvh::slab::WideNode;
+use crate::bvh::slab::UnpackedNode;
 use crate::exact::resolve::Shape;
 use crate::lanes::Triangles4;
 use crate::leaf::SPHERES;
@@ -25,8 +25,8 @@ pub(crate) struct Primitives {
 
 impl Primitives {
     /// The primitives of a tree, and its nodes with words that name leaves of four lanes.
-    pub(crate) fn new(bvh: Bvh) -> (Self, Vec<WideNode>) {
-        let mut nodes: Vec<WideNode> = bvh.nodes.iter().map(WideNode::new).collect();
+    pub(crate) fn new(bvh: Bvh) -> (Self, Vec<UnpackedNode>) {
+        let mut nodes: Vec<UnpackedNode> = bvh.nodes.iter().map(UnpackedNode::new).collect();
         let mut ranges = Vec::with_capacity(bvh.triangles.len() / 2);
         for node in &mut nodes {
             let mut children = node.children();

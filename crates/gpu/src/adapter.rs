@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::fingerprint::{Fingerprint, Route};
 use crate::gpu::{Gpu, Selector, instance};
-use crate::wide::Wide;
+use crate::second_stage::SecondStage;
 
 /// One line of `rayproof devices`.
 #[derive(Clone, Debug)]
@@ -22,8 +22,8 @@ pub struct AdapterReport {
     pub max_binding: u64,
     /// The arithmetic as kernels run it, and as plain WGSL, or why it could not be measured.
     pub fingerprints: Vec<Result<Fingerprint, String>>,
-    /// The numbers that the tier `exact` computes with after its first pass; none where it does not run, or the device failed.
-    pub wide: Option<Wide>,
+    /// The numbers that the precision `exact` computes with after its first pass; none where it does not run, or the device failed.
+    pub second_stage: Option<SecondStage>,
 }
 
 /// All Vulkan adapters, each opened and its arithmetic measured on every route it has.
@@ -37,7 +37,7 @@ pub fn adapters() -> Vec<AdapterReport> {
 fn report(index: usize, adapter: &wgpu::Adapter) -> AdapterReport {
     let info = adapter.get_info();
     let gpu = Gpu::open(&Selector::Index(index));
-    let wide = gpu.as_ref().ok().and_then(|gpu| gpu.wide().ok().flatten());
+    let second_stage = gpu.as_ref().ok().and_then(|gpu| gpu.second_stage().ok().flatten());
     let fingerprints = match gpu {
         Err(e) => vec![Err(e.to_string())],
         Ok(gpu) => Route::TAKEN
@@ -58,7 +58,7 @@ fn report(index: usize, adapter: &wgpu::Adapter) -> AdapterReport {
         name: info.name,
         max_binding: adapter.limits().max_storage_buffer_binding_size,
         fingerprints,
-        wide,
+        second_stage,
     }
 }
 

@@ -235,7 +235,7 @@ impl Stream {
 mod tests {
     use std::mem::offset_of;
 
-    use rayproof_scene::bvh::Tier;
+    use rayproof_scene::Precision;
 
     use super::*;
     use crate::kernel::Contents;
@@ -257,7 +257,7 @@ mod tests {
             fn node_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }
             fn triangle_quad(i: u32) -> vec4<u32> { return vec4<u32>(i); }";
         let kernel = Kernel {
-            pass: Pass::Trace(Tier::Fast),
+            pass: Pass::Trace(Precision::Fast),
             query: Query::Closest,
             contents: Contents::Triangles,
             walk: Walk::Tree,

@@ -6,15 +6,15 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bytemuck::Pod;
-use rayproof_scene::bvh::{Bvh, Tier};
-use rayproof_scene::{Hit, Ray};
+use rayproof_scene::bvh::Bvh;
+use rayproof_scene::{Hit, Precision, Ray};
 
 use crate::Error;
 use crate::batch::Stream;
 use crate::gpu::Gpu;
 use crate::kernel::{Contents, Pass, Query, Walk, Width};
 use crate::pages::{Pages, check_bindings};
-use crate::wide::Wide;
+use crate::second_stage::SecondStage;
 
 /// In the place of an answer: left open. `OPEN` in `shaders/exact/list.wgsl`.
 const OPEN: u32 = 0xffff_fffe;
@@ -33,22 +33,22 @@ pub struct Engine {
 /// What a batch left open.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Open {
-    /// How many rays the first tier did not decide.
+    /// How many rays the first stage did not decide.
     pub after_first: u64,
-    /// The numbers of the rays that have no answer: exact arithmetic has to give it. In no other tier there are any.
+    /// The numbers of the rays that have no answer: exact arithmetic has to give it. In no other precision there are any.
     pub rays: Vec<usize>,
 }
 
-/// The passes of a tier.
+/// The passes of a precision.
 enum Passes {
-    Single(Tier),
+    Single(Precision),
     Exact { first: Width, second: Width, rest: Option<Width> },
 }
 
 impl Passes {
     fn of(&self, query: Query) -> Vec<Pass> {
         match *self {
-            Self::Single(tier) => vec![Pass::Trace(tier)],
+            Self::Single(precision) => vec![Pass::Trace(precision)],
             Self::Exact { first, second, rest } => {
                 let mut passes = vec![Pass::First(first), Pass::Second(second)];
                 if query == Query::Closest {
@@ -75,33 +75,34 @@ pub(crate) struct OnDevice {
 }
 
 impl Engine {
-    /// Puts a tree, scaled for `tier`, on a device.
+    /// Puts a tree, scaled for `precision`, on a device.
     ///
     /// # Errors
-    /// When the device cannot hold it; or for the tier `exact`, when the device has no numbers for its second tier or the scene
+    /// When the device cannot hold it; or for the precision `exact`, when the device has no numbers for its second stage or the scene
     /// is not [plain](Bvh::plain).
-    pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, tier: Tier) -> Result<Self, Error> {
-        if tier != Tier::Exact {
-            if tier == Tier::Double && !gpu.has_f64() {
+    pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, precision: Precision) -> Result<Self, Error> {
+        if precision != Precision::Exact {
+            if precision == Precision::Double && !gpu.has_f64() {
                 return Err(Error::Device("it has no f64, which the precision double computes in".to_owned()));
             }
-            return Self::with_passes(gpu, bvh, Passes::Single(tier));
+            return Self::with_passes(gpu, bvh, Passes::Single(precision));
         }
-        let wide = gpu.wide()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
+        let second =
+            gpu.second_stage()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
         let is_ieee = gpu.fingerprint().is_some_and(crate::Fingerprint::is_ieee);
-        Self::with_numbers(gpu, bvh, if is_ieee { Width::Single } else { Width::SingleByRule }, wide)
+        Self::with_numbers(gpu, bvh, if is_ieee { Width::Single } else { Width::SingleByRule }, second)
     }
 
-    /// The tier `exact` with numbers of one's own choice for its first pass and for the others: to try them out. They must be
+    /// The precision `exact` with numbers of one's own choice for its first pass and for the others: to try them out. They must be
     /// ones that the device keeps.
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub fn with_numbers(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, wide: Wide) -> Result<Self, Error> {
+    pub fn with_numbers(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, second: SecondStage) -> Result<Self, Error> {
         if !bvh.plain {
             return Err(refused("the scene's numbers are too far apart"));
         }
-        Self::with_passes(gpu, bvh, Passes::Exact { first, second: wide.width, rest: wide.rest })
+        Self::with_passes(gpu, bvh, Passes::Exact { first, second: second.width, rest: second.rest })
     }
 
     fn with_passes(gpu: Arc<Gpu>, bvh: &Bvh, passes: Passes) -> Result<Self, Error> {
@@ -110,7 +111,7 @@ impl Engine {
         Ok(Self { gpu, scene, passes, streams: Default::default(), kernel_nanoseconds: AtomicU64::new(0) })
     }
 
-    /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
     #[must_use]
     pub fn without_tree(mut self) -> Self {
         self.scene.walk = Walk::Every;
@@ -145,27 +146,27 @@ impl Engine {
         self.answer(Query::Any, rays, hits, |&word: &u32| (u8::from(word == 1), word))
     }
 
-    /// How often each ray crosses the surface; for the tier `exact`. Rays that are returned as open have no answer yet.
+    /// How often each ray crosses the surface; for the precision `exact`. Rays that are returned as open have no answer yet.
     ///
     /// # Errors
     /// When the device fails.
     ///
     /// # Panics
-    /// When `rays` and `counts` differ in length, or the tier is another.
+    /// When `rays` and `counts` differ in length, or the precision is another.
     pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Result<Open, Error> {
-        assert!(matches!(self.passes, Passes::Exact { .. }), "only the tier exact counts");
+        assert!(matches!(self.passes, Passes::Exact { .. }), "only the precision exact counts");
         self.answer(Query::Count, rays, counts, |&word: &u32| (word, word))
     }
 
-    /// Which rays the first tier of `exact` leaves open.
+    /// Which rays the first stage of `exact` leaves open.
     ///
     /// # Errors
     /// When the device fails.
     ///
     /// # Panics
-    /// When the tier is another.
+    /// When the precision is another.
     pub fn open_after_first(&self, rays: &[Ray]) -> Result<Open, Error> {
-        let Passes::Exact { first, .. } = self.passes else { panic!("only the tier exact has a first tier") };
+        let Passes::Exact { first, .. } = self.passes else { panic!("only the precision exact has a first stage") };
         let mut hits = vec![Hit::MISS; rays.len()];
         let take = |hit: &Hit| (*hit, hit.primitive);
         self.run(&self.streams[3], Query::Closest, &[Pass::First(first)], rays, &mut hits, take)

@@ -8,8 +8,8 @@ use crate::adapter::{choose, driver};
 use crate::fingerprint::{Fingerprint, Route};
 use crate::float_controls;
 use crate::link::Linked;
+use crate::second_stage::SecondStage;
 use crate::spirv::{self, FloatControls};
-use crate::wide::Wide;
 
 /// Which adapter to open.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,8 +55,8 @@ pub struct Gpu {
     has_f64: bool,
     /// Nanoseconds of a tick of the device's clock, where it has one.
     tick: Option<f32>,
-    /// What the second tier of `exact` computes with, once measured.
-    wide: Mutex<Option<Option<Wide>>>,
+    /// What the second stage of `exact` computes with, once measured.
+    second_stage: Mutex<Option<Option<SecondStage>>>,
     /// Kernels by their text and route: scenes share them.
     pipelines: Mutex<HashMap<(String, Route), wgpu::ComputePipeline>>,
 }
@@ -133,7 +133,7 @@ impl Gpu {
             max_binding,
             has_f64: features.contains(wgpu::Features::SHADER_F64),
             tick,
-            wide: Mutex::default(),
+            second_stage: Mutex::default(),
             pipelines: Mutex::default(),
         })
     }
@@ -169,7 +169,7 @@ impl Gpu {
         self.route
     }
 
-    /// Makes kernels take another route from now on, to measure what that does; the tier `exact` runs on its own alone.
+    /// Makes kernels take another route from now on, to measure what that does; the precision `exact` runs on its own alone.
     ///
     /// # Errors
     /// When the device has no such route.
@@ -214,20 +214,21 @@ impl Gpu {
         self.max_binding = self.max_binding.min(bytes.max(256));
     }
 
-    /// What the second tier of `exact` computes with; `None` where nothing keeps its promise, or where kernels run as plain
+    /// What the second stage of `exact` computes with; `None` where nothing keeps its promise, or where kernels run as plain
     /// WGSL: no bound holds where a compiler may reassociate.
     ///
     /// # Errors
     /// When the device fails.
-    pub fn wide(&self) -> Result<Option<Wide>, Error> {
+    pub fn second_stage(&self) -> Result<Option<SecondStage>, Error> {
         if self.route != Route::ExactSpirv {
             return Ok(None);
         }
-        let mut known = self.wide.lock().map_err(|_| Error::Device("measuring its numbers panicked".to_owned()))?;
-        if let Some(wide) = *known {
-            return Ok(wide);
+        let mut known =
+            self.second_stage.lock().map_err(|_| Error::Device("measuring its numbers panicked".to_owned()))?;
+        if let Some(second) = *known {
+            return Ok(second);
         }
-        Ok(*known.insert(Wide::measure(self)?))
+        Ok(*known.insert(SecondStage::measure(self)?))
     }
 
     pub(crate) const fn has_f64(&self) -> bool {

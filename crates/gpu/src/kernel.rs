@@ -1,6 +1,6 @@
-//! Which files make a kernel: a tier, a query and what the scene holds are each a choice of files.
+//! Which files make a kernel: a precision, a query and what the scene holds are each a choice of files.
 
-use rayproof_scene::bvh::Tier;
+use rayproof_scene::Precision;
 
 use crate::link::Linked;
 
@@ -42,7 +42,7 @@ pub enum Query {
     Closest,
     /// Whether there is one.
     Any,
-    /// How often the surface is crossed; only the tier `exact` counts.
+    /// How often the surface is crossed; only the precision `exact` counts.
     Count,
 }
 
@@ -105,8 +105,8 @@ impl Width {
 /// A kernel's part in answering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pass {
-    /// All of it, in a tier of single precision.
-    Trace(Tier),
+    /// All of it, in a precision other than `exact`.
+    Trace(Precision),
     /// The walk of every ray, with certificates.
     First(Width),
     /// The walk of the rays that were left open.
@@ -118,11 +118,11 @@ pub enum Pass {
 }
 
 impl Pass {
-    /// Every pass of the tier `exact`, in every width.
+    /// Every pass of the precision `exact`, in every width.
     pub fn all_exact() -> impl Iterator<Item = Self> {
-        let wide = [Width::Double, Width::PairOfF32, Width::PairOfF64];
+        let numbers = [Width::Double, Width::PairOfF32, Width::PairOfF64];
         let first = [Width::Single, Width::SingleByRule].map(Self::First);
-        let rest = wide.into_iter().flat_map(|w| [Self::Second(w), Self::Round(w), Self::RoundRest(w)]);
+        let rest = numbers.into_iter().flat_map(|w| [Self::Second(w), Self::Round(w), Self::RoundRest(w)]);
         first.into_iter().chain(rest)
     }
 
@@ -160,11 +160,11 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// Whether there is such a kernel: only the tier `exact` counts, and only closest hits have numbers to round.
+    /// Whether there is such a kernel: only the precision `exact` counts, and only closest hits have numbers to round.
     #[must_use]
     pub fn exists(&self) -> bool {
         match self.pass {
-            Pass::Trace(tier) => tier != Tier::Exact && self.query != Query::Count,
+            Pass::Trace(precision) => precision != Precision::Exact && self.query != Query::Count,
             Pass::First(_) | Pass::Second(_) => true,
             Pass::Round(_) | Pass::RoundRest(_) => self.query == Query::Closest,
         }
@@ -189,7 +189,7 @@ impl Kernel {
         let mut linked = Linked::default();
         shaders!(linked, "math.wgsl", "batch.wgsl", "bvh/slab.wgsl", "leaf/word.wgsl");
         match self.pass {
-            Pass::Trace(tier) => self.link_trace(&mut linked, tier),
+            Pass::Trace(precision) => self.link_trace(&mut linked, precision),
             Pass::First(width) | Pass::Second(width) | Pass::Round(width) | Pass::RoundRest(width) => {
                 width.link(&mut linked);
                 self.link_exact(&mut linked);
@@ -210,39 +210,41 @@ impl Kernel {
         linked
     }
 
-    fn link_trace(&self, linked: &mut Linked, tier: Tier) {
+    fn link_trace(&self, linked: &mut Linked, precision: Precision) {
         shaders!(linked, "leaf/single.wgsl");
         match self.query {
             Query::Closest => shaders!(linked, "query/closest.wgsl"),
             Query::Any | Query::Count => shaders!(linked, "query/any.wgsl"),
         }
-        match tier {
-            Tier::Textbook | Tier::Classic => shaders!(linked, "classic/ray.wgsl"),
-            Tier::Fast | Tier::Pair | Tier::Double | Tier::Exact => shaders!(linked, "fast/ray.wgsl"),
+        match precision {
+            Precision::Textbook | Precision::Classic => shaders!(linked, "classic/ray.wgsl"),
+            Precision::Fast | Precision::Pair | Precision::Double | Precision::Exact => {
+                shaders!(linked, "fast/ray.wgsl")
+            }
         }
-        match tier {
-            Tier::Pair => Width::PairOfF32.link(linked),
-            Tier::Double => Width::Double.link(linked),
-            Tier::Textbook | Tier::Classic | Tier::Fast | Tier::Exact => {}
+        match precision {
+            Precision::Pair => Width::PairOfF32.link(linked),
+            Precision::Double => Width::Double.link(linked),
+            Precision::Textbook | Precision::Classic | Precision::Fast | Precision::Exact => {}
         }
-        if matches!(tier, Tier::Pair | Tier::Double) {
+        if matches!(precision, Precision::Pair | Precision::Double) {
             shaders!(linked, "exact/vector.wgsl");
         }
         if self.contents.triangles() {
             shaders!(linked, "leaf/triangles.wgsl");
-            match tier {
-                Tier::Textbook | Tier::Classic => shaders!(linked, "classic/triangle.wgsl"),
-                Tier::Pair | Tier::Double => shaders!(linked, "double/triangle.wgsl"),
-                Tier::Fast | Tier::Exact => shaders!(linked, "fast/triangle.wgsl"),
+            match precision {
+                Precision::Textbook | Precision::Classic => shaders!(linked, "classic/triangle.wgsl"),
+                Precision::Pair | Precision::Double => shaders!(linked, "double/triangle.wgsl"),
+                Precision::Fast | Precision::Exact => shaders!(linked, "fast/triangle.wgsl"),
             }
         }
         if self.contents.spheres() {
             shaders!(linked, "leaf/spheres.wgsl");
-            match tier {
-                Tier::Textbook => shaders!(linked, "textbook/sphere.wgsl"),
-                Tier::Classic => shaders!(linked, "classic/sphere.wgsl"),
-                Tier::Pair | Tier::Double => shaders!(linked, "double/sphere.wgsl"),
-                Tier::Fast | Tier::Exact => shaders!(linked, "fast/sphere.wgsl"),
+            match precision {
+                Precision::Textbook => shaders!(linked, "textbook/sphere.wgsl"),
+                Precision::Classic => shaders!(linked, "classic/sphere.wgsl"),
+                Precision::Pair | Precision::Double => shaders!(linked, "double/sphere.wgsl"),
+                Precision::Fast | Precision::Exact => shaders!(linked, "fast/sphere.wgsl"),
             }
         }
     }

@@ -18,8 +18,8 @@ mod kernel;
 mod link;
 mod pages;
 mod ray_query;
+mod second_stage;
 mod spirv;
-mod wide;
 
 pub use adapter::{AdapterReport, adapters};
 pub use engine::{Engine, Open};
@@ -29,4 +29,4 @@ pub use gpu::{Gpu, Handles, Selector};
 pub use kernel::{Contents, Kernel, Pass, Query, Walk, Width};
 pub use link::Linked;
 pub use ray_query::RayQuery;
-pub use wide::Wide;
+pub use second_stage::SecondStage;

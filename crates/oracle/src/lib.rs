@@ -3,9 +3,9 @@
 //!
 //! An [`Oracle`] answers one ray at a time, as the contract defines a hit, with no rounding anywhere. An answer of an
 //! engine goes to [`judge_closest`](judge::judge_closest), which says whether it is the exact one, one that the
-//! single-precision tiers are allowed, or wrong; two engines that must agree to the bit go to
+//! single-precision formulas are allowed, or wrong; two engines that must agree to the bit go to
 //! [`compare_bits`](judge::compare_bits). How an answer comes about is laid out by [`work`](worked::work), exactly and by
-//! the formulas of the tiers side by side.
+//! the formulas of the precisions side by side.
 //!
 //! ```
 //! use glam::Vec3;

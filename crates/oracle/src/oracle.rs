@@ -26,7 +26,7 @@ pub struct ExactHit {
 }
 
 impl ExactHit {
-    /// The same hit with `t`, `u`, `v` rounded to the nearest `f32`: what the tier `exact` promises, bit for bit.
+    /// This hit with `t`, `u`, `v` rounded to the nearest `f32`: what the precision `exact` promises, bit for bit.
     #[must_use]
     pub fn to_hit(&self) -> Hit {
         let weight = |x: &RBig| Root::from(x.clone()).to_f32();
@@ -66,7 +66,7 @@ impl<'s> Oracle<'s> {
         Self { scene, filter: true }
     }
 
-    /// The same oracle with every primitive decided in rational arithmetic. Slow; to check the filter.
+    /// This oracle with every primitive decided in rational arithmetic. Slow; to check the filter.
     #[must_use]
     pub fn without_filter(self) -> Self {
         Self { filter: false, ..self }

@@ -60,12 +60,12 @@ impl Root {
         }
     }
 
-    /// The same number times `by`, which is above zero.
+    /// This number times `by`, which is above zero.
     pub(crate) fn times(&self, by: &RBig) -> Self {
         Self { rational: &self.rational * by, sign: self.sign, radicand: &self.radicand * by.sqr() }
     }
 
-    /// The same number less `other`.
+    /// This number less `other`.
     pub(crate) fn minus(&self, other: &RBig) -> Self {
         Self { rational: &self.rational - other, ..self.clone() }
     }

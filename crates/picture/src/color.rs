@@ -10,7 +10,7 @@ pub const BACKGROUND: Rgb = [32, 32, 36];
 /// An answer that exact arithmetic contradicts.
 pub const WRONG: Rgb = [230, 30, 40];
 /// Decided in `f32`, in double width, exactly.
-pub const TIERS: [Rgb; 3] = [[38, 60, 96], [240, 160, 40], [230, 30, 40]];
+pub const STAGES: [Rgb; 3] = [[38, 60, 96], [240, 160, 40], [230, 30, 40]];
 
 /// A scale from dark violet at 0 over green to yellow at 1.
 #[must_use]

@@ -1,6 +1,6 @@
 //! Whether colours that mean different things look different, to eyes that see fewer colours too.
 
-use crate::color::{BACKGROUND, Rgb, TIERS, WRONG, viridis};
+use crate::color::{BACKGROUND, Rgb, STAGES, WRONG, viridis};
 use crate::shade::Verdict;
 
 /// What linear red, green and blue look like, to all cones and without one kind of them: Machado, Oliveira and Fernandes,
@@ -56,9 +56,9 @@ fn check(what: &str, colors: &[Rgb]) {
 }
 
 #[test]
-fn verdicts_and_tiers_can_be_told_apart() {
+fn verdicts_and_stages_can_be_told_apart() {
     check("verdicts", &Verdict::ALL.map(Verdict::color));
-    check("tiers", &TIERS);
+    check("stages", &STAGES);
 }
 
 #[test]

@@ -98,10 +98,10 @@ impl Verdict {
     }
 }
 
-/// Which tier of the cascade decided: 1 to 3.
+/// Which stage of the cascade decided: 1 to 3.
 #[must_use]
-pub fn by_tier(tier: u8) -> Rgb {
-    color::TIERS[usize::from(tier.clamp(1, 3)) - 1]
+pub fn by_stage(stage: u8) -> Rgb {
+    color::STAGES[usize::from(stage.clamp(1, 3)) - 1]
 }
 
 /// The distances of a whole picture: the nearest is yellow, the farthest dark blue, and a miss is background.

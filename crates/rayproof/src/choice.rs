@@ -2,7 +2,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use rayproof_gpu::Selector;
-use rayproof_scene::bvh::Tier;
+use rayproof_scene::Precision;
 
 /// Which device answers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -79,7 +79,7 @@ impl fmt::Display for DeviceChoice {
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// How hits are computed.
-    pub precision: Tier,
+    pub precision: Precision,
     /// Which device answers.
     pub device: DeviceChoice,
 }

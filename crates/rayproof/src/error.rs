@@ -9,7 +9,7 @@ pub enum Error {
     /// The device failed, or cannot hold the scene.
     #[error("{0}")]
     Device(#[source] rayproof_gpu::Error),
-    /// A question that only the tier `exact` answers.
+    /// A question that only the precision `exact` answers.
     #[error("only the precision exact answers this")]
     NotExact,
     /// A question that only the CPU engine answers.

@@ -3,7 +3,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 use rayproof_gpu::{Gpu, Open};
-use rayproof_scene::bvh::Bvh;
+use rayproof_scene::bvh::{Bvh, Scaling};
 use rayproof_scene::{Hit, Ray, Scene, Undecided};
 
 use crate::{Device, DeviceInfo, Error, Options, Precision};
@@ -19,7 +19,7 @@ pub struct Intersector {
 
 enum Engine {
     Cpu(Box<rayproof_cpu::Engine>),
-    /// With the engine that gives the tier `exact` its last answers.
+    /// With the engine that gives the precision `exact` its last answers.
     Gpu(Box<rayproof_gpu::Engine>, Option<Box<rayproof_cpu::Engine>>),
 }
 
@@ -33,13 +33,13 @@ impl Intersector {
         Self::on(&Device::open(&options.device)?, scene, options.precision)
     }
 
-    /// The same on a device that is open: for many scenes one after the other.
+    /// As [`new`](Self::new), on a device that is open: for many scenes one after the other.
     ///
     /// # Errors
     /// When the device cannot hold the scene, or fails.
     pub fn on(device: &Device, scene: &Scene, precision: Precision) -> Result<Self, Error> {
         let start = Instant::now();
-        let bvh = Bvh::new(scene, precision.scaling())?;
+        let bvh = Bvh::new(scene, Scaling::of(precision))?;
         let build_seconds = start.elapsed().as_secs_f64();
         let (engine, info) = match suited(device, &bvh, precision)? {
             Ok(gpu) => {
@@ -53,17 +53,17 @@ impl Intersector {
         Ok(Self { engine, info, build_seconds, precision, resolve_nanoseconds: AtomicU64::new(0) })
     }
 
-    /// The same scene in another precision, on the CPU engine; the two share one tree. `None` where that takes a tree of its
+    /// This scene in another precision, on the CPU engine; the two share one tree. `None` where that takes a tree of its
     /// own: on a device, and where one precision scales the scene and the other does not.
     #[must_use]
     pub fn with_precision(&self, precision: Precision) -> Option<Self> {
         let Engine::Cpu(engine) = &self.engine else { return None };
-        let engine = Engine::Cpu(Box::new(engine.with_tier(precision)?));
+        let engine = Engine::Cpu(Box::new(engine.with_precision(precision)?));
         let (info, resolve_nanoseconds) = (self.info.clone(), AtomicU64::new(0));
         Some(Self { engine, info, build_seconds: 0.0, precision, resolve_nanoseconds })
     }
 
-    /// The same without the tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    /// This intersector without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
     #[must_use]
     pub fn without_tree(self) -> Self {
         let engine = match self.engine {
@@ -85,7 +85,7 @@ impl Intersector {
         self.build_seconds
     }
 
-    /// The closest hit of each ray, any number of them, in the rays' order; returned is how many rays the tier `exact` left
+    /// The closest hit of each ray, any number of them, in the rays' order; returned is how many rays the precision `exact` left
     /// open on its way.
     ///
     /// # Errors
@@ -121,7 +121,7 @@ impl Intersector {
     }
 
     /// How often each ray crosses the surface: through a shared edge or vertex of a closed mesh once, at a tangent of a sphere
-    /// twice. Only the tier `exact` counts.
+    /// twice. Only the precision `exact` counts.
     ///
     /// # Errors
     /// When the device fails, or [`Error::NotExact`].
@@ -139,24 +139,24 @@ impl Intersector {
         }
     }
 
-    /// Which tier of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in double width, 3 exact arithmetic.
+    /// Which stage of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in double width, 3 exact arithmetic.
     ///
     /// # Errors
     /// When the device fails, or [`Error::NotExact`].
     ///
     /// # Panics
-    /// When `rays` and `tiers` differ in length.
-    pub fn deciding_tiers(&self, rays: &[Ray], tiers: &mut [u8]) -> Result<(), Error> {
+    /// When `rays` and `stages` differ in length.
+    pub fn deciding_stages(&self, rays: &[Ray], stages: &mut [u8]) -> Result<(), Error> {
         self.check_exact()?;
         match &self.engine {
-            Engine::Cpu(engine) => engine.deciding_tiers(rays, tiers),
+            Engine::Cpu(engine) => engine.deciding_stages(rays, stages),
             Engine::Gpu(engine, _) => {
-                tiers.fill(1);
+                stages.fill(1);
                 for i in engine.open_after_first(rays)?.rays {
-                    tiers[i] = 2;
+                    stages[i] = 2;
                 }
                 for i in engine.closest(rays, &mut vec![Hit::MISS; rays.len()])?.rays {
-                    tiers[i] = 3;
+                    stages[i] = 3;
                 }
             }
         }
@@ -221,11 +221,11 @@ impl Intersector {
         let nanoseconds = u64::try_from(start.elapsed().as_nanos()).unwrap_or(u64::MAX);
         self.resolve_nanoseconds.fetch_add(nanoseconds, Relaxed);
         let left = left.len() as u64;
-        Undecided { first_tier: open.after_first, after_refine: left, resolved_on_cpu: left }
+        Undecided { first_stage: open.after_first, after_refine: left, resolved_on_cpu: left }
     }
 }
 
-/// The device, where the tier runs on it with this scene; else why the CPU engine takes its place, if there was one.
+/// The device, where the precision runs on it with this scene; else why the CPU engine takes its place, if there was one.
 fn suited<'d>(
     device: &'d Device,
     bvh: &Bvh,
@@ -237,7 +237,7 @@ fn suited<'d>(
     }
     let reason = if !bvh.plain {
         "the scene's numbers are too far apart for bounds in f32"
-    } else if gpu.wide()?.is_none() {
+    } else if gpu.second_stage()?.is_none() {
         "no bound holds for its arithmetic; see `rayproof devices`"
     } else {
         return Ok(Ok(gpu));
@@ -265,11 +265,11 @@ pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
             fingerprint.route
         ));
     }
-    if let (Precision::Exact, Some(fingerprint), Ok(Some(wide))) = (precision, gpu.fingerprint(), gpu.wide())
-        && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && wide.rest.is_some())
+    if let (Precision::Exact, Some(fingerprint), Ok(Some(second))) = (precision, gpu.fingerprint(), gpu.second_stage())
+        && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && second.rest.is_some())
     {
         notes.push(format!(
-            "this device's arithmetic is not all IEEE or has no f64: exact by f32, then {wide}, then the CPU"
+            "this device's arithmetic is not all IEEE or has no f64: exact by f32, then {second}, then the CPU"
         ));
     }
     DeviceInfo { name: gpu.name().to_owned(), driver: gpu.driver(), notes }

@@ -35,4 +35,4 @@ pub use error::Error;
 pub use intersector::Intersector;
 pub use rayproof_gpu::{AdapterReport, Fingerprint, Handles, Route, adapters};
 pub use rayproof_scene as scene;
-pub use rayproof_scene::bvh::Tier as Precision;
+pub use rayproof_scene::Precision;

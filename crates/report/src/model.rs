@@ -114,7 +114,7 @@ pub struct Arithmetic {
     pub ieee: bool,
 }
 
-/// The same kernel under other rules.
+/// A kernel under other rules than its own.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rule {
@@ -193,9 +193,9 @@ pub struct Errors {
     pub wrong: Rate,
     /// `|t - t*|` in units of the last place of `t*`, where the primitive is right. 0.5 is what rounding costs.
     pub t: Quantiles,
-    /// The same of `u`, on triangles.
+    /// The errors of `u`, on triangles.
     pub u: Quantiles,
-    /// The same of `v`.
+    /// The errors of `v`, on triangles.
     pub v: Quantiles,
     /// The error of `t` over what rounding every input and the result may do: `|t - t*| / (|t*| kappa u + ulp(t*) / 2)`, with
     /// `u = 2^-24`. A few: the method is as good as its numbers; much more: it is the method. Rays along the surface are left out.
@@ -229,7 +229,7 @@ pub struct Case {
     pub replays: bool,
 }
 
-/// Which tier of the cascade decided.
+/// Which stage of the cascade decided.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Decided {
@@ -268,7 +268,7 @@ pub struct Point {
     /// Nanoseconds a test of one ray with one primitive, by the device's own clock; on the CPU engine by the wall clock.
     /// None where a device has no clock.
     pub kernel_ns: Option<Timing>,
-    /// The same from the first ray handed over to the last hit back.
+    /// Nanoseconds a test, from the first ray handed over to the last hit back.
     pub ns: Timing,
     /// That over the same of `fast` on the same device, round by round.
     pub of_fast: Timing,
@@ -342,7 +342,7 @@ pub struct Family {
     pub rays: u64,
     /// Rays that hit something.
     pub hits: u64,
-    /// The tiers of the cascade, on the CPU engine.
+    /// The stages of the cascade, on the CPU engine.
     pub decided: Decided,
     /// Each method on each device.
     pub rows: Vec<FamilyRow>,
@@ -425,7 +425,7 @@ pub struct SceneEntry {
     pub build: Timing,
     /// Millions of rays a second, end to end.
     pub mrays: Timing,
-    /// The same by the device's own clock.
+    /// Millions of rays a second by the device's own clock.
     pub kernel_mrays: Option<Timing>,
     /// The rate over that of `fast` on the same device, round by round; none for peers.
     pub of_fast: Option<Timing>,

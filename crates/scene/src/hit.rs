@@ -34,11 +34,11 @@ impl Hit {
     }
 }
 
-/// How many rays each tier of the cascade `exact` left open; all 0 in the other tiers, which leave nothing open.
+/// How many rays each stage of the cascade `exact` left open; all 0 in the other precisions, which leave nothing open.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Undecided {
     /// Rays whose answer the certificates in `f32` did not settle.
-    pub first_tier: u64,
+    pub first_stage: u64,
     /// Rays of which double width left something open: the answer, or how a number rounds.
     pub after_refine: u64,
     /// Rays for which exact arithmetic ran, on the CPU.
@@ -47,7 +47,7 @@ pub struct Undecided {
 
 impl std::ops::AddAssign for Undecided {
     fn add_assign(&mut self, other: Self) {
-        self.first_tier += other.first_tier;
+        self.first_stage += other.first_stage;
         self.after_refine += other.after_refine;
         self.resolved_on_cpu += other.resolved_on_cpu;
     }

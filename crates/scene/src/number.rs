@@ -54,7 +54,7 @@ pub fn hex(x: f32) -> String {
     hex64(f64::from(x))
 }
 
-/// The same of an `f64`.
+/// An `f64` as a hexadecimal float; `inf` and `-inf` as such.
 ///
 /// ```
 /// use rayproof_scene::number;

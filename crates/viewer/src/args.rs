@@ -13,8 +13,8 @@ use crate::{Look, Mode, Panel, Script, Source};
 #[command(after_help = "\
 Examples:
   rayproof-viewer bunny.ply
-  rayproof-viewer scene.toml --mode error --method fast
-  rayproof-viewer --mode error --method textbook --distance 4 --screenshot error.png
+  rayproof-viewer scene.toml --mode error --precision fast
+  rayproof-viewer --mode error --precision textbook --distance 4 --screenshot error.png
 
 F1 in the window lists the keys. Exit codes: 0 done, 1 failed while running or no window could be opened, \
 2 usage, 4 no such device, 5 the scene cannot be read (where the window closes by itself; else it says so).")]
@@ -32,16 +32,16 @@ pub(crate) struct Cli {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) painter: Painter,
 
-    /// What pixels show: normal, depth, primitive, uv, mask, error, verdict, tier or difference
+    /// What pixels show: normal, depth, primitive, uv, mask, error, verdict, stage or difference
     #[arg(long)]
     pub(crate) mode: Option<Mode>,
 
     /// Whose answers: textbook, classic, fast, pair, double or exact
-    #[arg(long, value_parser = precision)]
-    pub(crate) method: Option<Precision>,
+    #[arg(long, alias = "method")]
+    pub(crate) precision: Option<Precision>,
 
-    /// Another method, right of a split or to differ from
-    #[arg(long, value_parser = precision, value_name = "METHOD")]
+    /// Another precision, right of a split or to differ from
+    #[arg(long, value_name = "PRECISION")]
     pub(crate) against: Option<Precision>,
 
     /// The size of the picture in pixels; else that of its place in the window
@@ -94,11 +94,11 @@ impl Cli {
 
     /// How the scene is shown, where anything is said about it.
     pub(crate) fn look(&self) -> Option<Look> {
-        if self.mode.is_none() && self.method.is_none() && self.against.is_none() && !self.is_unattended() {
+        if self.mode.is_none() && self.precision.is_none() && self.against.is_none() && !self.is_unattended() {
             return None;
         }
         let mut look = Look { mode: self.mode.unwrap_or_default(), ..Look::default() };
-        look.left = self.method.map_or(look.left, Source::device);
+        look.left = self.precision.map_or(look.left, Source::device);
         look.right = self.against.map_or(look.right, Source::device);
         look.split = self.against.is_some();
         Some(look)
@@ -115,11 +115,6 @@ impl Cli {
             script
         })
     }
-}
-
-fn precision(text: &str) -> Result<Precision, String> {
-    let names = Precision::ALL.map(Precision::name).join(", ");
-    Precision::ALL.into_iter().find(|p| p.name() == text).ok_or_else(|| format!("give one of {names}"))
 }
 
 fn panel(text: &str) -> Result<Panel, String> {
@@ -191,6 +186,6 @@ mod tests {
         }
         assert!(decades("9").is_err() && decades("nan").is_err() && seconds("-1").is_err() && pixel("3").is_err());
         assert!(png("x.PNG").is_ok() && png("x.txt").is_err() && png("png").is_err());
-        assert!(precision("exact").is_ok() && precision("Exact").is_err() && panel("plots").is_err());
+        assert!(panel("plots").is_err());
     }
 }

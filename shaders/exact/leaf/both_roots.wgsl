@@ -1,5 +1,5 @@
 // Both roots, each for itself.
-fn take_chord(ray: TierRay, chord: Chord, slot: u32, before: Found) -> Found {
+fn take_chord(ray: PreparedRay, chord: Chord, slot: u32, before: Found) -> Found {
     let near = candidate_at(sub(chord.middle, chord.half), chord.off);
     let far = candidate_at(add(chord.middle, chord.half), chord.off);
     if !chord.enters {

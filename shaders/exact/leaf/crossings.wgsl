@@ -6,7 +6,7 @@ struct Found {
     t_max: f32,
 }
 
-fn found_start(ray: TierRay) -> Found {
+fn found_start(ray: PreparedRay) -> Found {
     return Found(0u, false, ray.t_max);
 }
 
@@ -18,7 +18,7 @@ fn found_finished(found: Found) -> bool {
     return found.open;
 }
 
-fn take(ray: TierRay, candidate: Candidate, slot: u32, found: Found) -> Found {
+fn take(ray: PreparedRay, candidate: Candidate, slot: u32, found: Found) -> Found {
     if is_outside(candidate, n(ray.t_min), n(ray.t_max)) {
         return found;
     }

@@ -11,6 +11,6 @@ fn first_root(c: Chord, t_min: N) -> Candidate {
     return Candidate(false, near.low, far.high);
 }
 
-fn take_chord(ray: TierRay, chord: Chord, slot: u32, found: Found) -> Found {
+fn take_chord(ray: PreparedRay, chord: Chord, slot: u32, found: Found) -> Found {
     return take(ray, first_root(chord, n(ray.t_min)), slot, found);
 }

@@ -9,7 +9,7 @@ struct Found {
     doubt: N,
 }
 
-fn found_start(ray: TierRay) -> Found {
+fn found_start(ray: PreparedRay) -> Found {
     return Found(n(ray.t_max), n(ray.t_max), MISS, n(NOT_HIT));
 }
 
@@ -27,7 +27,7 @@ fn found_decided(found: Found) -> bool {
     return found_finished(found) || less(found.high, found.doubt);
 }
 
-fn take(ray: TierRay, candidate: Candidate, slot: u32, found: Found) -> Found {
+fn take(ray: PreparedRay, candidate: Candidate, slot: u32, found: Found) -> Found {
     if is_outside(candidate, n(ray.t_min), found.high) {
         return found;
     }

@@ -1,5 +1,5 @@
 // The spheres of a leaf. Bit 30 of a place tells a sphere from a triangle, as that of a leaf's word does.
-fn intersect_spheres(ray: TierRay, word: u32, before: Found) -> Found {
+fn intersect_spheres(ray: PreparedRay, word: u32, before: Found) -> Found {
     var found = before;
     let first = leaf_first(word);
     let end = first + leaf_count(word);

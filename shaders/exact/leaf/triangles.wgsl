@@ -7,7 +7,7 @@ fn candidate_of(at: Estimate, crosses: bool) -> Candidate {
     );
 }
 
-fn intersect_triangles(ray: TierRay, word: u32, before: Found) -> Found {
+fn intersect_triangles(ray: PreparedRay, word: u32, before: Found) -> Found {
     var found = before;
     let first = leaf_first(word);
     let end = first + leaf_count(word);

@@ -1,4 +1,4 @@
-// Numbers of the second tier where the device has them. Vulkan asks for correctly rounded sums and products, a quotient within
+// Numbers of the second stage where the device has them. Vulkan asks for correctly rounded sums and products, a quotient within
 // 2.5 ULP, and a square root as by 1/inverseSqrt; a trial on the device looks at all four.
 alias N = f64;
 

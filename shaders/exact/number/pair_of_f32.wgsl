@@ -1,4 +1,4 @@
-// Numbers of the second tier where f64 is missing or dearer: pairs of f32.
+// Numbers of the second stage where f64 is missing or dearer: pairs of f32.
 alias Part = f32;
 
 const SPLITTER: f32 = 4097.0; // 2^12 + 1

@@ -1,4 +1,4 @@
-// Numbers of the first tier.
+// Numbers of the first stage.
 alias N = f32;
 
 // At least x, and near it.

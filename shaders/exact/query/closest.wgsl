@@ -6,7 +6,7 @@ const ANY_HIT: bool = false;
 // Answers a ray, or leaves it open: whether it is decided.
 fn settle(index: u32) -> bool {
     let unit = unit_direction(rays[index].direction);
-    let ray = tier_ray(rays[index], unit);
+    let ray = prepared_ray(rays[index], unit);
     let found = traverse(unit, ray);
     let decided = ray.ordinary && found_decided(found);
     // t of a miss is infinite.

@@ -1,5 +1,5 @@
 // A scene of triangles and spheres.
-fn values(ray: TierRay, slot: u32) -> Values {
+fn values(ray: PreparedRay, slot: u32) -> Values {
     if (slot & SPHERES) == 0u {
         return triangle_values(ray.line, slot);
     }

@@ -1,5 +1,5 @@
 // A scene without triangles: the kernel knows of none.
-fn values(ray: TierRay, slot: u32) -> Values {
+fn values(ray: PreparedRay, slot: u32) -> Values {
     return sphere_values(ray, slot & ~SPHERES);
 }
 

@@ -1,5 +1,5 @@
 // A scene without spheres: the kernel knows of none.
-fn values(ray: TierRay, slot: u32) -> Values {
+fn values(ray: PreparedRay, slot: u32) -> Values {
     return triangle_values(ray.line, slot);
 }
 

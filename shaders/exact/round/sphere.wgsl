@@ -1,5 +1,5 @@
 // t of a sphere's hit.
-fn sphere_values(ray: TierRay, slot: u32) -> Values {
+fn sphere_values(ray: PreparedRay, slot: u32) -> Values {
     let sphere = bitcast<vec4<f32>>(sphere_quad(slot));
     let c = chord(ray.line, v(sphere.xyz), n(sphere.w));
     let near = sub(c.middle, c.half);

@@ -113,7 +113,9 @@ fn the_oracle_agrees_with_both() {
 fn the_adapters_and_their_arithmetic_are_listed() {
     let ran = Folder::new().run("devices").expect(0, &[]);
     let listing = String::from_utf8(ran.stdout).unwrap();
-    for part in ["NoContraction", "error of x + y      survives", "plain WGSL", "fma", "the tier exact: f32, then "] {
+    for part in
+        ["NoContraction", "error of x + y      survives", "plain WGSL", "fma", "the precision exact: f32, then "]
+    {
         assert!(listing.contains(part), "{part} is not in\n{listing}");
     }
 }

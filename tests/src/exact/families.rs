@@ -36,7 +36,7 @@ fn compare(case: &Case, tally: &mut Tally) {
     tally.undecided += cpu.undecided;
     judge("cpu", &case.rays, &cpu, &truth, tally);
     if let Some(device) = engines.on_device(&case.rays) {
-        assert_eq!(device.undecided.first_tier, cpu.undecided.first_tier, "the first tier's open rays");
+        assert_eq!(device.undecided.first_stage, cpu.undecided.first_stage, "the first stage's open rays");
         judge("device", &case.rays, &device, &truth, tally);
         tally.on_device += case.rays.len();
     }
@@ -64,10 +64,10 @@ fn exact_is_exact_over_all_families() {
         for case in family.cases(SEED, rays(2_000, 100_000)) {
             compare(&case, &mut tally);
         }
-        let Undecided { first_tier, after_refine, .. } = tally.undecided;
+        let Undecided { first_stage, after_refine, .. } = tally.undecided;
         println!(
             "family {:>2} {:<24} {:>6} rays, {:>6} on the device, {:>6} hit, {:>7} crossings, {} wrong; open after f32 \
-             {first_tier:>6}, after f64 {after_refine:>6}",
+             {first_stage:>6}, after f64 {after_refine:>6}",
             family.number,
             family.name,
             tally.rays,

@@ -1,4 +1,4 @@
-//! What the tier `exact` promises, at its word.
+//! What the precision `exact` promises, at its word.
 
 mod families;
 mod field;
@@ -6,7 +6,8 @@ mod leaks;
 mod spheres;
 mod widths;
 
-use rayproof::scene::bvh::{Bvh, Tier};
+use rayproof::Precision;
+use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray, Scene, Undecided};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_gpu::Engine as Device;
@@ -21,7 +22,7 @@ pub(super) fn rays(few: usize, all: usize) -> usize {
 /// A scene in both engines.
 pub(super) struct Engines {
     pub(super) cpu: Cpu,
-    /// None where the scene is not one for which the tier runs on a device.
+    /// None where the scene is not one for which the precision runs on a device.
     device: Option<Device>,
 }
 
@@ -44,9 +45,9 @@ impl Answers {
 
 impl Engines {
     pub(super) fn new(scene: &Scene) -> Self {
-        let bvh = Bvh::new(scene, Tier::Exact.scaling()).expect("small");
-        let device = bvh.plain.then(|| Device::new(gpu(), &bvh, Tier::Exact).expect("the scene fits the device"));
-        Self { cpu: Cpu::new(bvh, Tier::Exact), device }
+        let bvh = Bvh::new(scene, Scaling::of(Precision::Exact)).expect("small");
+        let device = bvh.plain.then(|| Device::new(gpu(), &bvh, Precision::Exact).expect("the scene fits the device"));
+        Self { cpu: Cpu::new(bvh, Precision::Exact), device }
     }
 
     pub(super) fn on_cpu(&self, rays: &[Ray]) -> Answers {
@@ -64,7 +65,7 @@ impl Engines {
         let open = device.closest(rays, &mut answers.hits).expect("the device answers");
         resolve(&open.rays, rays, &mut answers.hits, Hit::MISS, |rays, hits| self.cpu.closest(rays, hits));
         let left = open.rays.len() as u64;
-        answers.undecided = Undecided { first_tier: open.after_first, after_refine: left, resolved_on_cpu: left };
+        answers.undecided = Undecided { first_stage: open.after_first, after_refine: left, resolved_on_cpu: left };
         let open = device.any(rays, &mut answers.any).expect("the device answers");
         resolve(&open.rays, rays, &mut answers.any, 9, |rays, any| self.cpu.any(rays, any));
         let open = device.count(rays, &mut answers.counts).expect("the device answers");

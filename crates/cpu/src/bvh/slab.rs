@@ -16,19 +16,19 @@ const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
 /// slot's box is inside out: entered at infinity, left at minus infinity.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(crate) struct WideNode {
+pub(crate) struct UnpackedNode {
     /// Low x, high x, low y, high y, low z, high z; the children's words as bits; and nothing, so that three bits index.
     planes: [Vec4; 8],
 }
 
-impl WideNode {
+impl UnpackedNode {
     pub(crate) fn new(node: &Node) -> Self {
         let boxes = [0, 1, 2, 3].map(|k| match node.children[k] {
             MISS => [Vec3::INFINITY, Vec3::NEG_INFINITY],
             _ => node.child_box(k),
         });
         let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
-        let mut wide = Self {
+        let mut unpacked = Self {
             planes: [
                 planes(0, 0),
                 planes(1, 0),
@@ -40,8 +40,8 @@ impl WideNode {
                 Vec4::ZERO,
             ],
         };
-        wide.set_children(node.children);
-        wide
+        unpacked.set_children(node.children);
+        unpacked
     }
 
     #[inline(always)]
@@ -69,7 +69,7 @@ pub(crate) struct BoxRay {
     /// What the planes that the ray meets first on each axis are measured from, and those it meets last.
     from_near: Vec3A,
     from_far: Vec3A,
-    /// Which of [`WideNode::planes`] are met first; the other of a pair is met last. The kernel's `back`.
+    /// Which of [`UnpackedNode::planes`] are met first; the other of a pair is met last. The kernel's `back`.
     near: [usize; 3],
     inverse: Vec3A,
     s_min: f32,
@@ -101,9 +101,9 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3A, direction: Vec3A, s_min: f
     let reach = largest(o) + params.scene_size;
     let still = direction.abs().cmplt(Vec3A::splat(SMALLEST_DIRECTION));
     let moved = Vec3A::select(still, Vec3A::splat(SMALLEST_DIRECTION), direction);
-    let wide = Vec3A::splat(reach * power_of_two(-50)).max(o.abs() * power_of_two(-22));
-    let from_low = Vec3A::select(still, o + wide, o);
-    let from_high = Vec3A::select(still, o - wide, o);
+    let slack = Vec3A::splat(reach * power_of_two(-50)).max(o.abs() * power_of_two(-22));
+    let from_low = Vec3A::select(still, o + slack, o);
+    let from_high = Vec3A::select(still, o - slack, o);
     let back = moved.cmplt(Vec3A::ZERO);
     BoxRay {
         from_near: Vec3A::select(back, from_high, from_low),
@@ -119,7 +119,7 @@ pub(crate) fn box_ray(params: &Params, origin: Vec3A, direction: Vec3A, s_min: f
 }
 
 #[inline(always)]
-pub(crate) fn child_keys(ray: &BoxRay, node: &WideNode, s_max: f32) -> Keys {
+pub(crate) fn child_keys(ray: &BoxRay, node: &UnpackedNode, s_max: f32) -> Keys {
     let enter = |axis: usize| (node.planes[ray.near[axis] & 7] - ray.from_near[axis]) * ray.inverse[axis];
     let leave = |axis: usize| (node.planes[(ray.near[axis] ^ 1) & 7] - ray.from_far[axis]) * ray.inverse[axis];
     let (enter, leave) = (enter(0).max(enter(1)).max(enter(2)), leave(0).min(leave(1)).min(leave(2)));

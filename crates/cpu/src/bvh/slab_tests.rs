@@ -88,14 +88,14 @@ fn touches() -> Vec<Touch> {
     std::iter::repeat_with(|| touch(&mut r)).flatten().take(RAYS).collect()
 }
 
-fn node(t: &Touch, slot: usize) -> WideNode {
+fn node(t: &Touch, slot: usize) -> UnpackedNode {
     let planes = |x: f32, empty: f32| {
         let mut lanes = [empty; 4];
         lanes[slot] = x;
         Vec4::from(lanes)
     };
     let (low, high) = (|i: usize| planes(t.low[i], f32::INFINITY), |i: usize| planes(t.high[i], f32::NEG_INFINITY));
-    WideNode { planes: [low(0), high(0), low(1), high(1), low(2), high(2), Vec4::ZERO, Vec4::ZERO] }
+    UnpackedNode { planes: [low(0), high(0), low(1), high(1), low(2), high(2), Vec4::ZERO, Vec4::ZERO] }
 }
 
 #[test]
@@ -175,9 +175,9 @@ impl Adversary<'_> {
             let (o, d) = (t.origin[i], t.direction[i]);
             let still = d.abs() < SMALLEST_DIRECTION;
             let d = if still { SMALLEST_DIRECTION } else { d };
-            let wide = self.mul(reach, power_of_two(-50)).max(self.mul(o.abs(), power_of_two(-22)));
-            let from_low = if still { self.either(f64::from(o) + f64::from(wide)) } else { o };
-            let from_high = if still { self.sub(o, wide) } else { o };
+            let slack = self.mul(reach, power_of_two(-50)).max(self.mul(o.abs(), power_of_two(-22)));
+            let from_low = if still { self.either(f64::from(o) + f64::from(slack)) } else { o };
+            let from_high = if still { self.sub(o, slack) } else { o };
             let (first, last) = if d < 0.0 { (t.high[i], t.low[i]) } else { (t.low[i], t.high[i]) };
             let (from_near, from_far) = if d < 0.0 { (from_high, from_low) } else { (from_low, from_high) };
             let mut plane = |push, plane, from| {

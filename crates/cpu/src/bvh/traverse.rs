@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, WideNode, box_ray, child_keys};
+use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, UnpackedNode, box_ray, child_keys};
 use crate::batch::Params;
 use crate::math::scale_by_power;
 
@@ -18,8 +18,8 @@ pub(crate) fn stack(depth: usize) -> Stack {
     vec![(0.0, 0); depth + 4]
 }
 
-/// What a walk needs of a tier's ray.
-pub(crate) trait TierRay {
+/// What a walk needs of a precision's ray.
+pub(crate) trait PreparedRay {
     fn origin(&self) -> Vec3A;
     fn t_min(&self) -> f32;
     /// Box units: `s = t 2^box_exponent`.
@@ -34,11 +34,11 @@ pub(crate) trait Found: Copy {
     fn finished(&self) -> bool;
 }
 
-/// Walks the tree with one ray; `intersect_leaf` is the tier's.
+/// Walks the tree with one ray; `intersect_leaf` is the precision's.
 #[inline(always)]
-pub(crate) fn traverse<R: TierRay, F: Found>(
+pub(crate) fn traverse<R: PreparedRay, F: Found>(
     params: &Params,
-    nodes: &[WideNode],
+    nodes: &[UnpackedNode],
     stack: &mut Stack,
     unit: &UnitDirection,
     ray: &R,
@@ -74,7 +74,7 @@ pub(crate) fn traverse<R: TierRay, F: Found>(
 ///
 /// The kernel sorts four keys by a network; keys differ, so inserting those that are met gives the same order.
 #[inline(always)]
-fn descend(boxes: &BoxRay, node: &WideNode, s_max: f32, stack: &mut Stack, top: &mut usize) -> u32 {
+fn descend(boxes: &BoxRay, node: &UnpackedNode, s_max: f32, stack: &mut Stack, top: &mut usize) -> u32 {
     let Keys { mut met, keys } = child_keys(boxes, node, s_max);
     let base = *top;
     while met != 0 {

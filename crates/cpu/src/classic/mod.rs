@@ -9,6 +9,6 @@ mod ray;
 mod sphere;
 mod triangle;
 
-pub(crate) use ray::tier_ray;
+pub(crate) use ray::prepared_ray;
 pub(crate) use sphere::intersect_sphere;
 pub(crate) use triangle::intersect_triangle;

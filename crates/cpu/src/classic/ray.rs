@@ -7,7 +7,7 @@ use crate::bvh::slab::UnitDirection;
 use crate::math::{scale_high_end, scale_low_end, scale_point};
 
 #[inline(always)]
-pub(crate) fn tier_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> SingleRay {
+pub(crate) fn prepared_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> SingleRay {
     let n = params.scene_exponent;
     let origin = scale_point(ray.origin.into(), n);
     SingleRay {

@@ -41,7 +41,7 @@ impl Random {
     }
 }
 
-/// A ray in the units of the first tier, and a shape.
+/// A ray in the units of the first stage, and a shape.
 #[derive(Clone, Copy, Debug)]
 struct Case {
     origin: [f32; 3],
@@ -57,7 +57,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The nearest `f32`; what the first tier would leave open becomes zero.
+/// The nearest `f32`; what the first stage would leave open becomes zero.
 #[expect(clippy::cast_possible_truncation, reason = "the nearest")]
 fn f32s(p: [f64; 3]) -> [f32; 3] {
     p.map(|x| if x.abs() < 2.0_f64.powi(-100) { 0.0 } else { x as f32 })

@@ -1,4 +1,4 @@
-//! Twin of the files in `shaders/exact/leaf/`: what the first tier makes of a leaf.
+//! Twin of the files in `shaders/exact/leaf/`: what the first stage makes of a leaf.
 
 use glam::Vec4;
 use rayproof_scene::{MISS, Sphere};

@@ -52,7 +52,7 @@ impl<N: Number> Line<N> {
 }
 
 impl Line<f32> {
-    /// The same numbers in four lanes, without those of spheres.
+    /// These numbers in four lanes, without those of spheres.
     #[inline(always)]
     pub(crate) fn lanes(&self) -> Line<Vec4> {
         Line {

@@ -1,4 +1,4 @@
-//! Twins of `shaders/exact/`: the tier `exact`, a cascade.
+//! Twins of `shaders/exact/`: the precision `exact`, a cascade.
 //!
 //! 1. [`first`]: the whole walk in `f32`, with certificates. Each primitive is hit, missed, or left open, by bounds on the
 //!    rounding errors that `triangle` and `sphere` derive. A ray is decided when its closest certain hit lies before

@@ -1,4 +1,4 @@
-//! Twin of `shaders/exact/ray.wgsl`: a ray as the first tier takes it.
+//! Twin of `shaders/exact/ray.wgsl`: a ray as the first stage takes it.
 
 use glam::Vec3A;
 use rayproof_scene::Ray;
@@ -6,14 +6,14 @@ use rayproof_scene::Ray;
 use super::line::Line;
 use crate::batch::Params;
 use crate::bvh::slab::{FARTHEST, UnitDirection};
-use crate::bvh::traverse::TierRay;
+use crate::bvh::traverse::PreparedRay;
 use crate::math::{largest, power_of_two, scale_by_power, scale_point};
 use crate::number::Vector;
 
 /// What rounding to nearest loses at most, relative to the result.
 const ROUNDOFF: f32 = power_of_two(-24);
 
-/// Beyond `SMALL` and `LARGE` no bound is proven: such a ray is left to the tier that has no limits.
+/// Beyond `SMALL` and `LARGE` no bound is proven: such a ray is left to the stage that has no limits.
 const SMALL: f32 = power_of_two(-100);
 const LARGE: f32 = power_of_two(55);
 
@@ -27,7 +27,7 @@ pub(crate) struct FirstRay {
     pub(crate) ordinary: bool,
 }
 
-impl TierRay for FirstRay {
+impl PreparedRay for FirstRay {
     #[inline(always)]
     fn origin(&self) -> Vec3A {
         let o = self.line.origin;
@@ -49,7 +49,7 @@ fn lost(given: Vec3A, scaled: Vec3A) -> bool {
     (given.cmpne(Vec3A::ZERO) & scaled.abs().cmplt(Vec3A::splat(SMALL))).any()
 }
 
-/// The same of an end of the range.
+/// Whether scaling an end of the range may have cost a bit.
 #[inline(always)]
 fn lost_end(given: f32, scaled: f32) -> bool {
     given != 0.0 && scaled.abs() < SMALL

@@ -1,4 +1,4 @@
-//! The third tier: what exact arithmetic says of one ray and one primitive, or two.
+//! The third stage: what exact arithmetic says of one ray and one primitive, or two.
 //!
 //! Every coordinate is a whole number times a power of two. With `k` the smallest such power among the positions and `h`
 //! that among the direction, `t` is `2^(k - h)` times a quotient, or a root of a quadratic, of whole numbers; `u` and `v` are

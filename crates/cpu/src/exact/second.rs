@@ -1,4 +1,4 @@
-//! The second tier: the certificates of the first in `f64`, for every finite ray; what they leave open is decided on the spot, in sums of two `f64` and at last exactly. On a device this is the pass of
+//! The second stage: the certificates of the first in `f64`, for every finite ray; what they leave open is decided on the spot, in sums of two `f64` and at last exactly. On a device this is the pass of
 //! `shaders/exact/query/second.wgsl`, which leaves it to the CPU.
 //!
 //! Positions are those of the scaled scene, the direction is as given: `t' = t 2^m`. No product over- or underflows: positions
@@ -16,7 +16,7 @@ use super::triangle::Estimate;
 use super::two::{self, Two};
 use super::wide::Wide;
 use super::{sphere, triangle};
-use crate::bvh::slab::WideNode;
+use crate::bvh::slab::UnpackedNode;
 use crate::bvh::traverse::Found;
 use crate::lanes::Corners;
 use crate::leaf::{SPHERES, leaf_range};
@@ -155,7 +155,7 @@ struct Winner {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nearest<const ANY: bool> {
     winner: Option<Winner>,
-    /// Beyond this nothing is of interest, in the units of the first tier; and what turns `t'` into those.
+    /// Beyond this nothing is of interest, in the units of the first stage; and what turns `t'` into those.
     limit: f32,
     to_first: f64,
     /// How many questions only exact arithmetic could answer.
@@ -200,7 +200,7 @@ impl<const ANY: bool> Nearest<ANY> {
     }
 
     /// With what all leaves add: the walk in `f64`.
-    pub(crate) fn all(self, nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay) -> Self {
+    pub(crate) fn all(self, nodes: &[UnpackedNode], primitives: &Primitives, ray: &SecondRay) -> Self {
         let mut found = self;
         walk(nodes, ray, |word| {
             found = found.leaf(primitives, ray, word);
@@ -237,7 +237,7 @@ fn goes_first(primitives: &Primitives, ray: &SecondRay, found: &Winner, before: 
 }
 
 /// How often the surface is crossed.
-pub(crate) fn count(nodes: &[WideNode], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
+pub(crate) fn count(nodes: &[UnpackedNode], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
     let mut count = 0;
     walk(nodes, ray, |word| {
         for slot in slots(word) {
@@ -263,7 +263,7 @@ fn slots(word: u32) -> impl Iterator<Item = u32> {
 ///
 /// A plane is off by three roundings relative to its `t'`, which the pad covers; an axis along which the ray does not move is
 /// compared as it is. Scaling a subnormal down rounds, by less than `2^-148`: the boxes grow by that.
-fn walk(nodes: &[WideNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
+fn walk(nodes: &[UnpackedNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
     let mut reach = ray.exact.t_max;
     let inverse = ray.exact.direction.map(|d| 1.0 / d);
     let mut stack = Vec::with_capacity(64);

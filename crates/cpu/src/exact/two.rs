@@ -51,7 +51,7 @@ fn two_sum<P: Part>(a: P, b: P) -> Two<P> {
     Two { high, low: (a - (high - part)) + (b - part) }
 }
 
-/// The same where `|a| >= |b|` or `a = 0`.
+/// `a + b` and what rounding lost, where `|a| >= |b|` or `a = 0`.
 #[inline(always)]
 fn quick_two_sum<P: Part>(a: P, b: P) -> Two<P> {
     let high = a + b;

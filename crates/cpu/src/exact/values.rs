@@ -25,7 +25,7 @@ pub(crate) fn round(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut 
     rounded(&ray.line, ray.exact.t_min, shape, inverse).unwrap_or_else(|| round_again(ray, shape, exponent, doubts))
 }
 
-/// The same for the few that `f64` leaves open.
+/// The three numbers of the few that `f64` leaves open.
 #[cold]
 fn round_again(ray: &SecondRay, shape: &Shape, exponent: i32, doubts: &mut u32) -> [f32; 3] {
     rounded(&ray.twice(shape), ray.exact.t_min.into(), shape, power_of_two(-exponent)).unwrap_or_else(|| {

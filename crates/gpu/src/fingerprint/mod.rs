@@ -14,11 +14,11 @@ use crate::link::Linked;
 pub enum Route {
     /// naga's SPIR-V with `NoContraction` and float controls, passed through wgpu.
     ExactSpirv,
-    /// The same SPIR-V without either, to measure what they cost: the driver may rewrite arithmetic.
+    /// That SPIR-V without either, to measure what they cost: the driver may rewrite arithmetic.
     FreeSpirv,
     /// WGSL as wgpu compiles it: the driver may rewrite arithmetic.
     PlainWgsl,
-    /// The same without wgpu's runtime checks, to measure what they cost.
+    /// That WGSL without wgpu's runtime checks, to measure what they cost.
     UncheckedWgsl,
 }
 

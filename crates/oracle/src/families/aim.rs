@@ -51,7 +51,7 @@ pub(super) fn along(origin: Vec3, direction: DVec3) -> Ray {
     Ray::new(origin, if direction == Vec3::ZERO { Vec3::X } else { direction })
 }
 
-/// The same ray over another range.
+/// This ray over another range.
 pub(super) fn within(ray: Ray, t_min: f32, t_max: f32) -> Ray {
     Ray { t_min, t_max, ..ray }
 }

@@ -129,7 +129,7 @@ fn triples<T: Copy>(of: &[T]) -> impl Iterator<Item = [T; 3]> {
 
 /// pbrt-v4, shapes_test.cpp, Triangle.Watertight (disabled there): from inside a bumpy sphere to each vertex.
 ///
-/// The same construction and seed, with our own generator: not its very numbers.
+/// Their construction and seed, with our own generator: not its very numbers.
 fn pbrt_watertight(draw: &mut Draw) -> (Geometry, Vec<Ray>) {
     let mesh = bumpy_sphere(16, 16, 12111);
     let aim = |v: &Vec3| {

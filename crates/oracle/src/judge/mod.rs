@@ -2,7 +2,7 @@
 //!
 //! # What is promised
 //!
-//! The tier `exact` promises the exact answer with its numbers rounded to the nearest: [`Verdict::is_nearest`]. The tier
+//! The precision `exact` promises the exact answer with its numbers rounded to the nearest: [`Verdict::is_nearest`]. The precision
 //! `fast` computes in single precision, and promises what that allows. An answer is
 //!
 //! * [`Exact`](Verdict::Exact) when it has the exact hit's primitive and `t`, `u`, `v` within the error bounds of the
@@ -13,7 +13,7 @@
 //! * [`Disagrees`](Verdict::Disagrees) when it is wrong.
 //!
 //! The modules `triangle` and `sphere` derive the bounds by counting roundings. They are worst cases for the method of
-//! the tier `fast` under IEEE rounding. The tier `classic` promises nothing, and is judged by the same measure.
+//! the precision `fast` under IEEE rounding. The precision `classic` promises nothing, and is judged by the same measure.
 
 mod bits;
 mod case;
@@ -53,9 +53,9 @@ pub enum Verdict {
 pub struct Errors {
     /// ULPs between `t` and the exact one rounded to the nearest.
     pub t: u64,
-    /// The same of `u`.
+    /// The error of `u`, in ULP.
     pub u: u64,
-    /// The same of `v`.
+    /// The error of `v`, in ULP.
     pub v: u64,
     /// The largest error over its bound, at most 1: how much of the promise is used. 0 where nothing is promised.
     pub of_promise: f64,
@@ -68,7 +68,7 @@ impl Verdict {
         !matches!(self, Self::Disagrees(..))
     }
 
-    /// Whether the answer is the exact one with its numbers rounded to the nearest: the promise of the tier `exact`.
+    /// Whether the answer is the exact one with its numbers rounded to the nearest: the promise of the precision `exact`.
     #[must_use]
     pub fn is_nearest(&self) -> bool {
         matches!(self, Self::Exact(Errors { t: 0, u: 0, v: 0, .. }))

@@ -120,7 +120,7 @@ pub fn compare(scene: &Scene, rays: &[Ray]) -> Agreement {
     compare_hits(scene, rays, &Oracle::new(scene).batch(rays, closest))
 }
 
-/// The same where the first oracle's closest hits, rounded, are known.
+/// As [`compare`], where the first oracle's closest hits, rounded, are known.
 ///
 /// # Panics
 /// When `rays` and `hits` differ in length.

@@ -1,4 +1,4 @@
-//! One ray against one primitive, worked out quantity by quantity: by the formulas of four tiers and exactly, side by
+//! One ray against one primitive, worked out quantity by quantity: by the formulas of four precisions and exactly, side by
 //! side. It shows where digits are lost.
 //!
 //! The columns in `f32` and `f64` do the operations of the engines, in their order, and accept and reject as they do.
@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use glam::Vec3;
-//! use rayproof_oracle::worked::{Answer, Method, work};
+//! use rayproof_oracle::worked::{Answer, work};
 //! use rayproof_scene::{Primitive, Ray, Sphere};
 //!
 //! // A sphere of radius 1, met halfway to its rim from 10,000 away.
@@ -22,7 +22,7 @@
 //! let discriminant = worked.rows.iter().find(|row| row.name == "D").expect("a row of every sphere");
 //! let shown = discriminant.values.each_ref().map(|value| value.decimal(5));
 //! assert_eq!(shown, ["0", "0", "3.0000e0", "3.0000e0", "3.0000e0"]);
-//! assert!(matches!(worked.answers[Method::Double as usize], Answer::Hit { .. }));
+//! assert!(matches!(worked.answers[3], Answer::Hit { .. }));
 //! ```
 
 mod digits;
@@ -34,50 +34,26 @@ mod tests;
 mod triangle;
 mod value;
 
-use rayproof_scene::{Primitive, Ray};
+use rayproof_scene::{Precision, Primitive, Ray};
 
 pub use value::Value;
 
-/// How a ray and a primitive are worked out: a column of [`Worked`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Method {
-    /// The tier `textbook`, in `f32`. Of triangles it has no formula of its own.
-    Textbook,
-    /// The tier `classic`, in `f32`.
-    Classic,
-    /// The tier `fast`, in `f32`.
-    Fast,
-    /// The tier `double`: the formulas of `fast` in `f64`, rounded at the end.
-    Double,
-    /// Real arithmetic.
-    Exact,
-}
+/// The precisions that are worked out, in the order of the columns. `pair` is left out: its formulas are those of `double`, and
+/// its digits nearly so. `textbook` has no formula of its own for triangles; `exact` is real arithmetic, unrounded.
+pub const COLUMNS: [Precision; 5] =
+    [Precision::Textbook, Precision::Classic, Precision::Fast, Precision::Double, Precision::Exact];
 
-impl Method {
-    /// Every method, in the order of the columns.
-    pub const ALL: [Self; 5] = [Self::Textbook, Self::Classic, Self::Fast, Self::Double, Self::Exact];
+/// The place of the exact column.
+pub const EXACT: usize = COLUMNS.len() - 1;
 
-    /// Its name, which is that of the tier.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Textbook => "textbook",
-            Self::Classic => "classic",
-            Self::Fast => "fast",
-            Self::Double => "double",
-            Self::Exact => "exact",
-        }
-    }
-}
-
-/// A ray and a primitive, worked out by every method.
+/// A ray and a primitive, worked out by every precision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Worked {
-    /// Of a triangle, the equations `[b - a, c - a, -d] [u v t]^T = e - a` of each method, in the order of [`Method::ALL`].
+    /// Of a triangle, the equations `[b - a, c - a, -d] [u v t]^T = e - a` of each precision, in the order of [`COLUMNS`].
     pub systems: Option<[System; 5]>,
     /// The quantities, in the order in which they are computed.
     pub rows: Vec<Row>,
-    /// What each method concludes, in the order of [`Method::ALL`].
+    /// What each precision concludes, in the order of [`COLUMNS`].
     pub answers: [Answer; 5],
 }
 
@@ -89,13 +65,13 @@ pub type System = [[Value; 4]; 3];
 pub struct Row {
     /// Its name.
     pub name: &'static str,
-    /// How it follows from the quantities above it; where methods compute it otherwise, theirs is named, too.
+    /// How it follows from the quantities above it; where precisions compute it otherwise, theirs is named, too.
     pub formula: &'static str,
-    /// What each method makes of it, in the order of [`Method::ALL`].
+    /// What each precision makes of it, in the order of [`COLUMNS`].
     pub values: [Value; 5],
 }
 
-/// What a method concludes.
+/// What a precision concludes.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "there are five of them")]
 pub enum Answer {
@@ -105,7 +81,7 @@ pub enum Answer {
     Miss(&'static str),
     /// A hit.
     Hit {
-        /// The parameter on the ray: rounded to `f32` but for [`Method::Exact`], as are `u` and `v`.
+        /// The parameter on the ray: rounded to `f32` but for the exact column, as are `u` and `v`.
         t: Value,
         /// The weight of the triangle's second vertex; 0 on a sphere.
         u: Value,
@@ -122,7 +98,7 @@ impl Answer {
     }
 }
 
-/// Works a ray and a primitive out by every method.
+/// Works a ray and a primitive out by every precision.
 ///
 /// Where the ray has a [fault](Ray::fault), a number of the primitive is not finite or the radius is negative, there is
 /// no exact column: its values are absent.
@@ -141,14 +117,14 @@ pub fn work(ray: &Ray, primitive: &Primitive) -> Worked {
     }
 }
 
-/// What one method makes of `N` quantities.
+/// What one precision makes of `N` quantities.
 struct Column<const N: usize> {
     values: [Value; N],
     answer: Answer,
 }
 
 impl<const N: usize> Column<N> {
-    /// That of a method which does not apply.
+    /// That of a precision which does not apply.
     fn absent(answer: Answer) -> Self {
         Self { values: std::array::from_fn(|_| Value::Absent), answer }
     }

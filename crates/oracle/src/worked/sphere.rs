@@ -1,11 +1,11 @@
 //! A ray and a sphere.
 
 use dashu::{base::Sign, rational::RBig};
-use rayproof_scene::{Ray, Sphere};
+use rayproof_scene::{Precision, Ray, Sphere};
 
 use super::float::{Float, dot3, sub};
 use super::range::{Place, first_within};
-use super::{Answer, Column, Heading, INVALID, Method, Value};
+use super::{Answer, COLUMNS, Column, Heading, INVALID, Value};
 use crate::rational::{self, Line, Number};
 use crate::root::Root;
 
@@ -29,13 +29,13 @@ pub(super) const ROWS: [Heading; 14] = [
 
 type SphereColumn = Column<{ ROWS.len() }>;
 
-/// Every method's column.
+/// Every precision's column.
 pub(super) fn columns(ray: &Ray, sphere: &Sphere) -> [SphereColumn; 5] {
-    Method::ALL.map(|method| match method {
-        Method::Textbook | Method::Classic => by_the_book(ray, sphere, method),
-        Method::Fast => by_the_foot::<f32>(ray, sphere),
-        Method::Double => by_the_foot::<f64>(ray, sphere),
-        Method::Exact => exact(ray, sphere),
+    COLUMNS.map(|precision| match precision {
+        Precision::Textbook | Precision::Classic => by_the_book(ray, sphere, precision),
+        Precision::Fast => by_the_foot::<f32>(ray, sphere),
+        Precision::Pair | Precision::Double => by_the_foot::<f64>(ray, sphere),
+        Precision::Exact => exact(ray, sphere),
     })
 }
 
@@ -58,7 +58,7 @@ fn answer(ray: &Ray, parameters: [f32; 2]) -> Answer {
 }
 
 /// As `crates/cpu/src/textbook/sphere.rs` and `crates/cpu/src/classic/sphere.rs` compute it.
-fn by_the_book(ray: &Ray, &Sphere { center, radius }: &Sphere, method: Method) -> SphereColumn {
+fn by_the_book(ray: &Ray, &Sphere { center, radius }: &Sphere, precision: Precision) -> SphereColumn {
     let direction = ray.direction.to_array();
     let o = sub(ray.origin.to_array(), center.to_array());
     let a = dot3(direction, direction);
@@ -67,7 +67,7 @@ fn by_the_book(ray: &Ray, &Sphere { center, radius }: &Sphere, method: Method) -
     let discriminant = b * b - 4.0 * a * c;
     let ([q, t1, t2], answer) = if discriminant >= 0.0 && a > 0.0 {
         let root = discriminant.sqrt();
-        if method == Method::Textbook {
+        if precision == Precision::Textbook {
             let near = (-b - root) / (2.0 * a);
             let far = (-b + root) / (2.0 * a);
             let [t1, t2] = if b >= 0.0 { [near, far] } else { [far, near] };

@@ -7,7 +7,7 @@ use dashu::rational::RBig;
 use glam::Vec3;
 use rayproof_scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Sphere, Triangle};
 
-use super::{Answer, Method, Value, Worked, work};
+use super::{Answer, COLUMNS, Value, Worked, work};
 use crate::{Oracle, Root, families};
 
 fn sphere(center: [f32; 3], radius: f32) -> Primitive {
@@ -27,19 +27,19 @@ fn values<'w>(worked: &'w Worked, name: &str) -> &'w [Value; 5] {
     &worked.rows.iter().find(|row| row.name == name).unwrap().values
 }
 
-/// The rows of these names hold these numbers, the same in every method that has them; of the exact one there is one.
+/// The rows of these names hold these numbers, the same in every precision that has them; of the exact one there is one.
 fn holds(worked: &Worked, expected: &[(&str, f64)]) {
     for &(name, number) in expected {
         let right = Value::Exact(RBig::try_from(number).unwrap().into());
         let row = values(worked, name);
         assert_eq!(row[4], right, "{name}");
-        for (value, method) in row.iter().zip(Method::ALL).filter(|(value, _)| **value != Value::Absent) {
-            assert_eq!(value.decimal(30), right.decimal(30), "{name} by {}", method.name());
+        for (value, precision) in row.iter().zip(COLUMNS).filter(|(value, _)| **value != Value::Absent) {
+            assert_eq!(value.decimal(30), right.decimal(30), "{name} by {}", precision.name());
         }
     }
 }
 
-/// What each method concludes, in words: the reason of a miss, or `t u v` to five digits.
+/// What each precision concludes, in words: the reason of a miss, or `t u v` to five digits.
 fn conclusions(worked: &Worked) -> [String; 5] {
     worked.answers.each_ref().map(|answer| match answer {
         Answer::Absent => "absent".to_owned(),
@@ -80,7 +80,7 @@ fn irrational_roots_are_exact() {
     assert_eq!(digits("q"), "2.7071067811865475244e0");
     assert_eq!(digits("t1"), "2.7071067811865475244e0");
     assert_eq!(digits("t2"), "1.2928932188134524756e0");
-    let Answer::Hit { t: Value::F32(t), .. } = worked.answers[Method::Double as usize] else { panic!("a hit in f32") };
+    let Answer::Hit { t: Value::F32(t), .. } = worked.answers[3] else { panic!("a hit in f32") };
     assert_eq!(t, 1.292_893_2, "rounded to f32");
 }
 
@@ -127,9 +127,9 @@ fn a_triangle_is_worked_out_as_by_hand() {
         let hit = "4.0000e0 2.5000e-1 5.0000e-1";
         assert_eq!(conclusions(&worked), ["absent", hit, hit, hit, hit]);
         let expected = [[4.0, 0.0, 0.0, 1.0], [0.0, 4.0, 0.0, 2.0], [0.0, 0.0, 2.0 * s, 8.0 * s]];
-        for (system, method) in worked.systems.as_ref().unwrap().iter().zip(Method::ALL).skip(1) {
+        for (system, precision) in worked.systems.as_ref().unwrap().iter().zip(COLUMNS).skip(1) {
             let shown = system.each_ref().map(|row| row.each_ref().map(|x| x.decimal(9)));
-            assert_eq!(shown, expected.map(|row| row.map(|x| Value::F64(x).decimal(9))), "{}", method.name());
+            assert_eq!(shown, expected.map(|row| row.map(|x| Value::F64(x).decimal(9))), "{}", precision.name());
         }
         let [absent, ..] = worked.systems.as_ref().unwrap();
         assert!(absent.iter().flatten().all(|x| *x == Value::Absent));

@@ -1,11 +1,11 @@
 //! A ray and a triangle: the system `[b - a, c - a, -d] [u v t]^T = e - a` by Cramer's rule.
 
 use glam::Vec3;
-use rayproof_scene::{Ray, Triangle};
+use rayproof_scene::{Precision, Ray, Triangle};
 
 use super::float::{Float, cross3, dot3, sub};
 use super::range::{Place, first_within};
-use super::{Answer, Column, Heading, INVALID, Method, System, Value};
+use super::{Answer, COLUMNS, Column, Heading, INVALID, System, Value};
 use crate::rational::{self, Line, Number, Vector};
 
 /// The quantities.
@@ -24,14 +24,14 @@ const NAN: &str = "det, u or v is not a number";
 
 type TriangleColumn = Column<{ ROWS.len() }>;
 
-/// Every method's system and its column.
+/// Every precision's system and its column.
 pub(super) fn columns(ray: &Ray, triangle: &Triangle) -> ([System; 5], [TriangleColumn; 5]) {
-    let worked = Method::ALL.map(|method| match method {
-        Method::Textbook => absent(Answer::Absent),
-        Method::Classic => by_the_book(ray, triangle),
-        Method::Fast => shifted::<f32>(ray, triangle),
-        Method::Double => shifted::<f64>(ray, triangle),
-        Method::Exact => exact(ray, triangle),
+    let worked = COLUMNS.map(|precision| match precision {
+        Precision::Textbook => absent(Answer::Absent),
+        Precision::Classic => by_the_book(ray, triangle),
+        Precision::Fast => shifted::<f32>(ray, triangle),
+        Precision::Pair | Precision::Double => shifted::<f64>(ray, triangle),
+        Precision::Exact => exact(ray, triangle),
     });
     (worked.each_ref().map(|(system, _)| system.clone()), worked.map(|(_, column)| column))
 }

@@ -54,13 +54,13 @@ fn main() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The shares of the rays that the tiers of a cascade left open; nothing where there is none.
+/// The shares of the rays that the stages of a cascade left open; nothing where there is none.
 fn share(open: &Undecided, rays: usize) -> String {
     if *open == Undecided::default() {
         return String::new();
     }
     let of_all = |n: u64| n as f64 / rays as f64;
-    format!("; {:.3}% and {:.1e}", 100.0 * of_all(open.first_tier), of_all(open.after_refine))
+    format!("; {:.3}% and {:.1e}", 100.0 * of_all(open.first_stage), of_all(open.after_refine))
 }
 
 fn measure(scene: &str, kind: &str, rays: &[rayproof::scene::Ray], chosen: &[&Contestant]) -> anyhow::Result<()> {

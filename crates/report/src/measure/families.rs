@@ -55,7 +55,7 @@ fn one(run: &mut Run<'_>, family: &families::Family) -> Result<Family, Error> {
     })
 }
 
-/// The answers to each scene's rays; on the first device the tier `exact` also tells what it left open.
+/// The answers to each scene's rays; on the first device the precision `exact` also tells what it left open.
 fn answers(
     run: &Run<'_>,
     subject: Subject,
@@ -74,9 +74,9 @@ fn answers(
     Ok(all)
 }
 
-/// Each ray by the last tier that had a say.
+/// Each ray by the last stage that had a say.
 pub(crate) fn decided(rays: u64, open: Undecided) -> Decided {
     let resolved = open.resolved_on_cpu;
-    let refined = open.first_tier.saturating_sub(resolved);
+    let refined = open.first_stage.saturating_sub(resolved);
     Decided { rays, first: rays - refined - resolved, refined, resolved }
 }

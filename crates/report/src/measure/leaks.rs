@@ -50,7 +50,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     Ok(rows)
 }
 
-/// How often each ray crosses: by the oracle; on a fine mesh, where brute force takes hours, by the tier exact.
+/// How often each ray crosses: by the oracle; on a fine mesh, where brute force takes hours, by the precision exact.
 fn crossings(run: &mut Run<'_>, scene: &Scene, rays: &[Ray]) -> Result<Vec<u32>, Error> {
     if scene.len() <= BRUTE_FORCE {
         run.add(rayproof_oracle::compare(scene, rays));

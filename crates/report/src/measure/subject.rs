@@ -7,7 +7,7 @@ use crate::model;
 
 /// A scene ready to be asked about.
 pub trait Answers {
-    /// The closest hits; how many rays each tier of `exact` left open.
+    /// The closest hits; how many rays each stage of `exact` left open.
     ///
     /// # Errors
     /// When the device fails.

@@ -52,7 +52,7 @@ pub fn python_peers(mesh: &Mesh, venv: &Path) -> Vec<Contestant> {
     KINDS.iter().map(|kind| Embree::start(kind, mesh, venv)).collect()
 }
 
-/// The same peers where there is no virtual environment, because of `why`.
+/// These peers where there is no virtual environment, because of `why`.
 #[must_use]
 pub fn absent_python_peers(why: &str) -> Vec<Contestant> {
     KINDS.iter().map(|kind| Err(Absent::new(kind.name, why))).collect()

@@ -16,7 +16,7 @@ pub fn ray_query_peer(mesh: &Mesh, selector: &Selector) -> Contestant {
     Ok(Box::new(Peer { query, version, triangles: mesh.triangles.len() }))
 }
 
-/// The same peer where it is not measured, because of `why`.
+/// This peer where it is not measured, because of `why`.
 pub fn absent_ray_query(why: &str) -> Contestant {
     Err(Absent::new(NAME, why))
 }

@@ -29,7 +29,7 @@ pub fn rust_peers(mesh: &Mesh) -> Vec<Contestant> {
     absent_rust_peers("built without the cargo feature `peers`")
 }
 
-/// The same peers where they are not measured, because of `why`.
+/// These peers where they are not measured, because of `why`.
 #[must_use]
 pub fn absent_rust_peers(why: &str) -> Vec<Contestant> {
     ["obvhs CwBvh", "obvhs Bvh2", "parry3d", "bvh"].map(|name| Err(Absent::new(name, why))).into()

@@ -14,7 +14,7 @@ mod pack;
 pub use node::{Child, EMPTY, Node};
 pub use pack::{Originals, PackedTriangle};
 
-use crate::{Scene, Sphere};
+use crate::{Precision, Scene, Sphere};
 
 /// A scene made ready for traversal: the tree, and its primitives in leaf order.
 ///
@@ -35,7 +35,7 @@ pub struct Bvh {
     pub size: f32,
     /// How many entries a traversal's stack can come to hold.
     pub stack_depth: usize,
-    /// Whether scaling cost no bit and every number but zero is in the range for which the tier `exact` has bounds in
+    /// Whether scaling cost no bit and every number but zero is in the range for which the precision `exact` has bounds in
     /// `f32`: from `2^-100` up, boxes within `2^25`.
     pub plain: bool,
     /// The primitives as they were, in the order of `triangles` and `spheres`, where scaling cost a bit.
@@ -53,49 +53,13 @@ pub enum Scaling {
     PowerOfTwo,
 }
 
-/// How hits are computed: which formulas run at the leaves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Tier {
-    /// The quadratic as schoolbooks have it, with both its cancellations, in `f32`; triangles as in `Classic`. Here to be seen
-    /// failing.
-    Textbook,
-    /// The two formulas by the book in `f32`: the baseline that the report measures.
-    Classic,
-    /// `f32`, the best-conditioned single-precision form of each.
-    Fast,
-    /// The formulas of `Fast` in pairs of `f32`, rounded at the end: for devices without `f64`. No promise.
-    Pair,
-    /// The formulas of `Fast` in `f64`, rounded at the end. No promise.
-    Double,
-    /// Exact arithmetic's answer, rounded once: certificates in `f32`, and wider arithmetic for what they leave open.
-    #[default]
-    Exact,
-}
-
-impl Tier {
-    /// Every tier, from the plainest to the best.
-    pub const ALL: [Self; 6] = [Self::Textbook, Self::Classic, Self::Fast, Self::Pair, Self::Double, Self::Exact];
-
-    /// Its name on the command line and in reports.
+impl Scaling {
+    /// How a tree for a precision is scaled.
     #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Textbook => "textbook",
-            Self::Classic => "classic",
-            Self::Fast => "fast",
-            Self::Pair => "pair",
-            Self::Double => "double",
-            Self::Exact => "exact",
-        }
-    }
-
-    /// How a tree for this tier is scaled.
-    #[must_use]
-    pub const fn scaling(self) -> Scaling {
-        match self {
-            Self::Textbook | Self::Classic => Scaling::None,
-            Self::Fast | Self::Pair | Self::Double | Self::Exact => Scaling::PowerOfTwo,
+    pub const fn of(precision: Precision) -> Self {
+        match precision {
+            Precision::Textbook | Precision::Classic => Self::None,
+            Precision::Fast | Precision::Pair | Precision::Double | Precision::Exact => Self::PowerOfTwo,
         }
     }
 }

@@ -181,7 +181,7 @@ const NEAR: [i32; 2] = [-20, 20];
 /// Beyond 2^100 boxes cannot be decoded and products of two lengths overflow, whatever the formula.
 const FAR: [i32; 2] = [-149, 100];
 
-/// Scaled coordinates and radii of a plain scene are zero or between these: no bound of the tier `exact` meets a subnormal.
+/// Scaled coordinates and radii of a plain scene are zero or between these: no bound of the precision `exact` meets a subnormal.
 const PLAIN: [f32; 2] = [f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 25) << 23)];
 
 /// The magnitudes that decide how a scene is scaled.

@@ -142,10 +142,10 @@ impl<'a> Job<'a> {
                 engine.closest(rays, &mut hits)?;
                 places.iter().zip(hits).for_each(|(&place, hit)| all[place] = hit);
             }
-            Answers::Tiers(all) => {
-                let mut tiers = vec![0; rays.len()];
-                engine.deciding_tiers(rays, &mut tiers)?;
-                places.iter().zip(tiers).for_each(|(&place, tier)| all[place] = tier);
+            Answers::Stages(all) => {
+                let mut stages = vec![0; rays.len()];
+                engine.deciding_stages(rays, &mut stages)?;
+                places.iter().zip(stages).for_each(|(&place, stage)| all[place] = stage);
             }
         }
         let taken = start.elapsed();

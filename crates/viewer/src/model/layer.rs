@@ -12,15 +12,15 @@ pub(crate) const STEPS: [u32; 5] = [16, 8, 4, 2, 1];
 pub(crate) enum Ask {
     /// Its closest hit.
     Hits(Source),
-    /// Which tier of the cascade decides it.
-    Tiers,
+    /// Which stage of the cascade decides it.
+    Stages,
 }
 
 impl Ask {
     /// What a side of a look shows: the left, 0, or that right of the split.
     pub(crate) const fn shown(look: &Look, side: usize) -> Self {
         match (look.mode, side) {
-            (Mode::Tier, _) => Self::Tiers,
+            (Mode::Stage, _) => Self::Stages,
             (_, 0) => Self::Hits(look.left),
             _ => Self::Hits(look.right),
         }
@@ -47,7 +47,7 @@ impl Ask {
 pub(crate) enum Answers {
     Hits(Vec<Hit>),
     /// 1 to 3.
-    Tiers(Vec<u8>),
+    Stages(Vec<u8>),
 }
 
 /// One kind of answer for a picture, and how far it is.
@@ -64,7 +64,7 @@ impl Layer {
     pub(crate) fn new(ask: Ask, pixels: usize) -> Self {
         let answers = match ask {
             Ask::Hits(_) => Answers::Hits(vec![Hit::MISS; pixels]),
-            Ask::Tiers => Answers::Tiers(vec![0; pixels]),
+            Ask::Stages => Answers::Stages(vec![0; pixels]),
         };
         Self { answers, passes: 0, rows: 0 }
     }
@@ -106,7 +106,7 @@ impl Layer {
     pub(crate) fn hits(&self) -> &[Hit] {
         match &self.answers {
             Answers::Hits(hits) => hits,
-            Answers::Tiers(_) => &[],
+            Answers::Stages(_) => &[],
         }
     }
 }
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn rows_above_are_finer() {
-        let mut layer = Layer::new(Ask::Tiers, 100);
+        let mut layer = Layer::new(Ask::Stages, 100);
         assert_eq!(layer.step_at(0), None);
         layer.advance(1, 10, 10);
         layer.advance(2, 4, 10);

@@ -21,8 +21,8 @@ pub enum Mode {
     Error,
     /// Whether the answer is right.
     Verdict,
-    /// Which tier of the cascade decides.
-    Tier,
+    /// Which stage of the cascade decides.
+    Stage,
     /// How two answers differ.
     Difference,
 }
@@ -36,7 +36,7 @@ impl Mode {
         Self::Mask,
         Self::Error,
         Self::Verdict,
-        Self::Tier,
+        Self::Stage,
         Self::Difference,
     ];
 
@@ -49,7 +49,7 @@ impl Mode {
             Self::Mask => "mask",
             Self::Error => "error",
             Self::Verdict => "verdict",
-            Self::Tier => "tier",
+            Self::Stage => "stage",
             Self::Difference => "difference",
         }
     }
@@ -64,7 +64,7 @@ impl Mode {
             Self::Mask => "Hit or miss.",
             Self::Error => "How far t is from the exact answer, in units in the last place (ULP).",
             Self::Verdict => "Whether the answer is the exact one: hits that are not there, hits that were missed.",
-            Self::Tier => "Which tier of the precision exact decides each pixel.",
+            Self::Stage => "Which stage of the precision exact decides each pixel.",
             Self::Difference => "How far apart the t of two methods are, in ULP; red where they hit different things.",
         }
     }
@@ -76,7 +76,7 @@ impl Mode {
 
     /// Whether the picture can be split between two methods.
     pub(crate) const fn splits(self) -> bool {
-        !matches!(self, Self::Tier | Self::Difference)
+        !matches!(self, Self::Stage | Self::Difference)
     }
 }
 
@@ -104,10 +104,27 @@ pub enum Place {
 /// Whose answer it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Source {
-    /// By which method.
+    /// By which precision.
+    #[serde(with = "by_name")]
     pub precision: Precision,
     /// And where.
     pub place: Place,
+}
+
+/// A precision is kept by its name.
+mod by_name {
+    use rayproof::Precision;
+    use serde::de::{Deserialize, Deserializer, Error};
+    use serde::ser::Serializer;
+
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+    pub(super) fn serialize<S: Serializer>(precision: &Precision, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(precision.name())
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Precision, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(D::Error::custom)
+    }
 }
 
 impl Source {

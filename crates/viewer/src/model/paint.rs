@@ -67,7 +67,7 @@ impl Side<'_> {
     fn color(&self, x: u32, y: u32) -> Rgb {
         let i = (y * self.size[0] + x) as usize;
         let hit = match &self.shown.answers {
-            Answers::Tiers(tiers) => return shade::by_tier(tiers[i]),
+            Answers::Stages(stages) => return shade::by_stage(stages[i]),
             Answers::Hits(hits) => &hits[i],
         };
         let other = self.against.map_or(&Hit::MISS, |layer| &layer.hits()[i]);
@@ -77,7 +77,7 @@ impl Side<'_> {
             Mode::Uv => shade::by_uv(hit),
             Mode::Error | Mode::Difference => shade::by_error(other, hit),
             Mode::Verdict => Verdict::of(other, hit).color(),
-            Mode::Mask | Mode::Depth | Mode::Tier => {
+            Mode::Mask | Mode::Depth | Mode::Stage => {
                 if hit.is_hit() {
                     HIT
                 } else {
@@ -91,10 +91,10 @@ impl Side<'_> {
     pub(crate) fn figures(&self) -> Option<Figures> {
         let whole = self.shown.is_complete() && self.against.is_none_or(Layer::is_complete);
         whole.then(|| match (&self.shown.answers, self.against) {
-            (Answers::Tiers(tiers), _) => {
+            (Answers::Stages(stages), _) => {
                 let mut counts = [0; 3];
-                tiers.iter().for_each(|&tier| counts[usize::from(tier.clamp(1, 3)) - 1] += 1);
-                Figures::Tiers(counts)
+                stages.iter().for_each(|&stage| counts[usize::from(stage.clamp(1, 3)) - 1] += 1);
+                Figures::Stages(counts)
             }
             (Answers::Hits(hits), None) => {
                 let distances = || hits.iter().filter(|hit| hit.is_hit()).map(|hit| hit.t);
@@ -114,8 +114,8 @@ pub(crate) enum Figures {
         hits: usize,
         range: Option<[f32; 2]>,
     },
-    /// How many pixels each tier decides.
-    Tiers([usize; 3]),
+    /// How many pixels each stage decides.
+    Stages([usize; 3]),
     Errors(Errors),
 }
 

@@ -56,7 +56,7 @@ pub(crate) struct Progress {
     pub(crate) traced: f64,
     /// Pixels whose exact answer the oracle has given too, and how many there are; none where nothing is judged.
     pub(crate) judged: Option<[usize; 2]>,
-    /// For how many of those it contradicts the tier exact: their exact answer is then the oracle's.
+    /// For how many of those it contradicts the precision exact: their exact answer is then the oracle's.
     pub(crate) contradicted: usize,
     /// Seconds from the wish to the first picture, and to the whole one.
     pub(crate) first: Option<f64>,

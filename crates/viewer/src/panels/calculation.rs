@@ -1,8 +1,9 @@
-//! The quantities of one ray and one primitive, by every method; digits that are wrong are marked.
+//! The quantities of one ray and one primitive, by every precision; digits that are wrong are marked.
 
 use egui::text::LayoutJob;
 use egui::{Color32, FontId, Grid, RichText, TextFormat, Ui};
-use rayproof_oracle::worked::{Answer, Method, Row, System, Value, Worked};
+use rayproof::Precision;
+use rayproof_oracle::worked::{Answer, COLUMNS, EXACT, Row, System, Value, Worked};
 
 use super::inspector::{mono, strong};
 
@@ -19,14 +20,14 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
     for row in &worked.rows {
         quantity(ui, row);
     }
-    strong(ui, "Each method concludes: t, rounded to f32");
+    strong(ui, "Each precision concludes: t, rounded to f32");
     let alone = "For this primitive alone. In a scene the tree rules out primitives whose box the ray misses, and with them \
                  some false hits; and fast, double and exact scale by powers of two, which matters only where a number \
                  over- or underflows here.";
     ui.label(RichText::new(alone).weak());
     Grid::new("conclusions").num_columns(2).striped(true).show(ui, |ui| {
-        for (method, answer) in Method::ALL.into_iter().zip(&worked.answers) {
-            ui.label(method.name());
+        for (precision, answer) in COLUMNS.into_iter().zip(&worked.answers) {
+            ui.label(precision.name());
             match answer {
                 Answer::Absent => ui.label("– (no formula of its own)"),
                 Answer::Miss(why) => ui.label(format!("miss: {why}")),
@@ -45,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
 
 /// The exact t, rounded once.
 fn exact_t(worked: &Worked) -> Option<f32> {
-    match &worked.answers[Method::Exact as usize] {
+    match &worked.answers[EXACT] {
         Answer::Hit { t: Value::Exact(root), .. } => Some(root.to_f32()),
         _ => None,
     }
@@ -54,7 +55,7 @@ fn exact_t(worked: &Worked) -> Option<f32> {
 /// The equations of a triangle in f32, the entries that are rounded marked.
 fn system(ui: &mut Ui, systems: &[System; 5]) {
     ui.label("[b - a, c - a, -d] (u, v, t) = e - a, a row for x, y and z, in f32:");
-    let [shown, exact] = [Method::Classic, Method::Exact].map(|method| &systems[method as usize]);
+    let [shown, exact] = [1, EXACT].map(|column| &systems[column]);
     Grid::new("system").num_columns(5).show(ui, |ui| {
         for (shown, exact) in shown.iter().zip(exact) {
             for (column, (shown, exact)) in shown.iter().zip(exact).enumerate() {
@@ -68,35 +69,35 @@ fn system(ui: &mut Ui, systems: &[System; 5]) {
     });
 }
 
-/// One quantity: its value by each method, one under the other, so that digits line up.
+/// One quantity: its value by each precision, one under the other, so that digits line up.
 fn quantity(ui: &mut Ui, row: &Row) {
     ui.add_space(4.0);
-    let exact = &row.values[Method::Exact as usize];
+    let exact = &row.values[EXACT];
     let rounded = |value: &&Value| value.ulps_from(exact).is_none_or(|ulps| ulps != 0.0);
-    let present = || row.values[..Method::Exact as usize].iter().filter(|value| !matches!(value, Value::Absent));
+    let present = || row.values[..EXACT].iter().filter(|value| !matches!(value, Value::Absent));
     let all_exact = present().count() > 0 && !present().any(|value| rounded(&value));
     ui.horizontal(|ui| {
         ui.label(RichText::new(row.name).strong().monospace());
         ui.label(RichText::new(format!("= {}", row.formula)).weak());
         if all_exact {
             mono(ui, exact.decimal(DIGITS[0]));
-            ui.label(RichText::new("exact by every method").weak());
+            ui.label(RichText::new("exact by every precision").weak());
         }
     });
     if all_exact {
         return;
     }
     Grid::new(("quantity", row.name)).num_columns(3).min_row_height(0.0).spacing([8.0, 0.0]).show(ui, |ui| {
-        for ((method, value), digits) in Method::ALL.into_iter().zip(&row.values).zip(DIGITS) {
+        for ((precision, value), digits) in COLUMNS.into_iter().zip(&row.values).zip(DIGITS) {
             if matches!(value, Value::Absent) {
                 continue;
             }
-            ui.label(RichText::new(method.name()).size(11.0));
+            ui.label(RichText::new(precision.name()).size(11.0));
             let label = ui.label(marked(ui, value, exact, digits));
             if let Some(hex) = value.hex() {
                 label.on_hover_text(hex);
             }
-            let off = value.ulps_from(exact).filter(|_| method != Method::Exact);
+            let off = value.ulps_from(exact).filter(|_| precision != Precision::Exact);
             let off = off.map_or_else(String::new, |ulps| {
                 if ulps == 0.0 { "exact".to_owned() } else { format!("{} ULP", short(ulps)) }
             });

@@ -26,9 +26,9 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
                     ui.label(format!("t from {} to {}", short(*near), short(*far)));
                 }
             }
-            Some(Figures::Tiers(counts)) => {
-                for (tier, &count) in legend::TIERS.into_iter().zip(counts) {
-                    ui.label(format!("{tier}: {}", counted(count, "pixel")));
+            Some(Figures::Stages(counts)) => {
+                for (stage, &count) in legend::STAGES.into_iter().zip(counts) {
+                    ui.label(format!("{stage}: {}", counted(count, "pixel")));
                 }
             }
             Some(Figures::Errors(errors)) => {

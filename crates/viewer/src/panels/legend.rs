@@ -8,7 +8,7 @@ use crate::model::look::Mode;
 use crate::model::paint::HIT;
 
 /// What decides a pixel.
-pub(super) const TIERS: [&str; 3] = ["f32", "double width", "exact"];
+pub(super) const STAGES: [&str; 3] = ["f32", "double width", "exact"];
 
 const FONT: FontId = FontId::new(12.0, egui::FontFamily::Proportional);
 const PANEL: Color32 = Color32::from_black_alpha(215);
@@ -24,7 +24,7 @@ pub(super) fn paint(painter: &Painter, picture: Rect, mode: Mode) {
         Mode::Error | Mode::Difference => scale(&painter, picture, mode),
         Mode::Depth => depth(&painter, picture),
         Mode::Verdict => swatches(&painter, picture, &Verdict::ALL.map(|v| (v.color(), v.name()))),
-        Mode::Tier => swatches(&painter, picture, &[0, 1, 2].map(|i| (color::TIERS[i], TIERS[i]))),
+        Mode::Stage => swatches(&painter, picture, &[0, 1, 2].map(|i| (color::STAGES[i], STAGES[i]))),
         Mode::Mask => swatches(&painter, picture, &[(HIT, "hit"), (BACKGROUND, "miss")]),
         Mode::Uv => {
             let corners: [(Rgb, &str); 3] = [([255, 0, 0], "1 - u - v"), ([0, 255, 0], "u"), ([0, 0, 255], "v")];

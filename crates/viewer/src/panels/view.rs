@@ -42,7 +42,7 @@ fn modes(app: &mut App, ui: &mut Ui) {
 fn methods(app: &mut App, ui: &mut Ui) {
     let has_device = !app.device.is_cpu();
     let look = &mut app.settings.look;
-    if look.mode == Mode::Tier {
+    if look.mode == Mode::Stage {
         ui.label("The cascade of the precision exact.");
         return;
     }

@@ -53,10 +53,10 @@ impl Expected {
                 let truth = self.truth();
                 each(&|i, hit| Verdict::of(&truth[i], hit).color())
             }
-            Mode::Tier => {
-                let mut tiers = vec![0; self.rays.len()];
-                self.world.on_cpu(Precision::Exact).unwrap().deciding_tiers(&self.rays, &mut tiers).unwrap();
-                tiers.into_iter().map(shade::by_tier).collect()
+            Mode::Stage => {
+                let mut stages = vec![0; self.rays.len()];
+                self.world.on_cpu(Precision::Exact).unwrap().deciding_stages(&self.rays, &mut stages).unwrap();
+                stages.into_iter().map(shade::by_stage).collect()
             }
             Mode::Difference => {
                 let other = self.hits(Precision::Fast);
@@ -74,7 +74,7 @@ fn every_mode_draws_what_it_says() {
     for mode in Mode::ALL {
         click(&mut viewer, mode.name());
         for precision in [Precision::Textbook, Precision::Fast, Precision::Exact] {
-            if mode == Mode::Tier && precision != Precision::Exact {
+            if mode == Mode::Stage && precision != Precision::Exact {
                 continue;
             }
             viewer.state_mut().settings.look.left = Source::device(precision);

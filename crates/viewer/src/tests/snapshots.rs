@@ -36,7 +36,7 @@ fn the_window_looks_as_it_did() {
     let textbook = Look { left: Source::device(Precision::Textbook), split: true, ..look(Mode::Error) };
     let mut results = egui_kittest::SnapshotResults::new();
     for (name, theme, look) in
-        [("error-dark", egui::Theme::Dark, textbook), ("tier-light", egui::Theme::Light, look(Mode::Tier))]
+        [("error-dark", egui::Theme::Dark, textbook), ("stage-light", egui::Theme::Light, look(Mode::Stage))]
     {
         let mut viewer = window(theme, look);
         // The line of speeds at the bottom is the clock's.

@@ -32,7 +32,7 @@ pub(crate) fn device(report: &Report, i: usize) -> &str {
     report.devices.get(i).map_or("?", |d| d.name.as_str())
 }
 
-/// The same where several reports are shown: those after the first are numbered.
+/// The name of device `i` where several reports are shown: those after the first are numbered.
 pub(crate) fn labelled(report: &Report, k: usize, i: usize) -> String {
     let name = device(report, i);
     if k == 0 { name.to_owned() } else { format!("{name} [report {}]", k + 1) }
@@ -53,12 +53,12 @@ fn busy(report: &Report) -> String {
     let points = report.panels.iter().flat_map(|p| &p.points).flat_map(|p| [p.ns, p.mrays]);
     let all: Vec<crate::model::Timing> =
         points.chain(report.scenes.iter().flat_map(|s| &s.rows).map(|r| r.mrays)).collect();
-    let wide = all.iter().filter(|t| t.p95 > 1.5 * t.p5).count();
-    if wide * 10 < all.len() {
+    let spread = all.iter().filter(|t| t.p95 > 1.5 * t.p5).count();
+    if spread * 10 < all.len() {
         return String::new();
     }
     format!(
-        "Beware of the times: {wide} of {} spread by half and more between their 5th and 95th percentile. The machine was \
+        "Beware of the times: {spread} of {} spread by half and more between their 5th and 95th percentile. The machine was \
          busy; run it again when it is not.",
         all.len()
     )

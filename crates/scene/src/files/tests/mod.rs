@@ -62,7 +62,7 @@ fn mesh() -> impl Strategy<Value = Mesh> {
     })
 }
 
-/// The same vertices, to the bit, and the same triangles.
+/// Whether two meshes have equal vertices, to the bit, and equal triangles.
 #[track_caller]
 fn assert_same(read: &Mesh, written: &Mesh) {
     let bits = |mesh: &Mesh| mesh.vertices.iter().map(|v| v.to_array().map(f32::to_bits)).collect::<Vec<_>>();

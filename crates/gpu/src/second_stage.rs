@@ -1,4 +1,4 @@
-//! Which numbers the second tier computes with: what keeps its promise on this device, and of two that do the faster.
+//! Which numbers the second stage computes with: what keeps its promise on this device, and of two that do the faster.
 
 use std::time::Instant;
 
@@ -15,16 +15,16 @@ const PAIRS: usize = 1 << 12;
 /// Rounds of arithmetic a pair where the time is taken.
 const ROUNDS: u32 = 1 << 8;
 
-/// The numbers of a device's second tier.
+/// The numbers of a device's second stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wide {
+pub struct SecondStage {
     /// For everything.
     pub width: Width,
     /// For the numbers of hits that those cannot round, where the device has wider ones.
     pub rest: Option<Width>,
 }
 
-impl std::fmt::Display for Wide {
+impl std::fmt::Display for SecondStage {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let name = |width| match width {
             Width::Single | Width::SingleByRule => "f32",
@@ -48,7 +48,7 @@ struct Results {
     root: [f32; 5],
 }
 
-impl Wide {
+impl SecondStage {
     /// Tries each width on the device; `None` where none keeps its promise.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! The same code for wider instruction sets, chosen when it runs.
+//! Code compiled once more for wider instruction sets, chosen when it runs.
 #![expect(unsafe_code, reason = "a function compiled for AVX2 is called once the processor is known to have it")]
 
 /// Runs `work`, compiled for AVX2 where the processor has it: three-operand instructions, the same operations. Neither
