@@ -1,12 +1,12 @@
 //! Kernel against twin, in every bit, over every family of hard cases.
 
 use rayproof::Precision;
-use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray, Scene};
 use rayproof_cpu::Engine as Twin;
 use rayproof_gpu::{Engine as Kernel, Gpu};
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::judge::{compare_bits, ulp_distance};
+use rayproof_tree::{Bvh, Scaling};
 
 use crate::device::{gpu, gpu_with_small_bindings};
 

@@ -8,11 +8,13 @@ use std::process::Command;
 use serde_json::Value;
 
 /// Each room, and the rooms that it is built from. A new room is entered here and in the README.
-const ROOMS: [(&str, &[&str]); 10] = [
+const ROOMS: [(&str, &[&str]); 12] = [
     ("rayproof-scene", &[]),
-    ("rayproof-gpu", &["rayproof-scene"]),
-    ("rayproof-cpu", &["rayproof-scene"]),
-    ("rayproof", &["rayproof-cpu", "rayproof-gpu", "rayproof-scene"]),
+    ("rayproof-files", &["rayproof-scene"]),
+    ("rayproof-tree", &["rayproof-scene"]),
+    ("rayproof-gpu", &["rayproof-scene", "rayproof-tree"]),
+    ("rayproof-cpu", &["rayproof-scene", "rayproof-tree"]),
+    ("rayproof", &["rayproof-cpu", "rayproof-files", "rayproof-gpu", "rayproof-scene", "rayproof-tree"]),
     ("rayproof-oracle", &["rayproof-scene"]),
     ("rayproof-picture", &["rayproof-oracle", "rayproof-scene"]),
     ("rayproof-report", &["rayproof", "rayproof-gpu", "rayproof-oracle"]),
@@ -20,6 +22,13 @@ const ROOMS: [(&str, &[&str]); 10] = [
     ("rayproof-viewer", &["rayproof", "rayproof-oracle", "rayproof-picture"]),
     ("rayproof-tests", &[]),
 ];
+
+/// What reads or writes files, and nothing below the rooms that need it links.
+const FORMATS: [&str; 11] =
+    ["arrow", "csv", "gltf", "gltf-json", "npyz", "parquet", "ply-rs-bw", "serde_json", "stl_io", "tobj", "toml"];
+
+/// How many crates the oracle is built from, itself included. A judge that links little has little to be wrong with.
+const ORACLE_CLOSURE: usize = 25;
 
 /// The only room that speaks to a device, and what it does that with.
 const DEVICE_ROOM: &str = "rayproof-gpu";
@@ -84,10 +93,35 @@ fn rooms_know_only_the_rooms_below_them() {
 fn no_test_of_a_room_looks_across_the_house() {
     // What meets there meets in `tests`: an engine's own tests know no other engine and no judge.
     let rooms = rooms();
-    for name in ["rayproof-scene", "rayproof-gpu", "rayproof-cpu", "rayproof-oracle"] {
+    for name in ["rayproof-scene", "rayproof-files", "rayproof-tree", "rayproof-gpu", "rayproof-cpu", "rayproof-oracle"]
+    {
         let found = ours(&rooms[name].tested);
         assert!(found.is_empty(), "the tests of {name} use {found:?}");
     }
+}
+
+/// Every crate that a room is built from, itself included, on this system, and with its usual features.
+fn closure(room: &str) -> BTreeSet<String> {
+    let tree = ["tree", "--package", room, "--edges", "normal", "--prefix", "none", "--format", "{p}", "--offline"];
+    let output = String::from_utf8(run(env!("CARGO"), &tree)).unwrap();
+    output.lines().filter_map(|line| line.split_whitespace().next()).map(str::to_owned).collect()
+}
+
+#[test]
+fn engines_and_the_judge_link_no_file_format() {
+    let oracle = closure("rayproof-oracle");
+    for (room, built) in [
+        ("rayproof-cpu", closure("rayproof-cpu")),
+        ("rayproof-gpu", closure("rayproof-gpu")),
+        ("rayproof-oracle", oracle.clone()),
+    ] {
+        println!("{room} is built from {} crates", built.len());
+        assert!(built.contains(room) && built.contains("glam"), "{room}: {built:?}");
+        let found: Vec<_> = built.iter().filter(|name| FORMATS.contains(&name.as_str())).collect();
+        assert!(found.is_empty(), "{room} links {found:?}");
+    }
+    assert!(!oracle.contains("rayproof-tree") && !oracle.contains("obvhs"), "the judge holds the tree that it judges");
+    assert_eq!(oracle.len(), ORACLE_CLOSURE, "{oracle:?}");
 }
 
 #[test]

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use glam::DVec3;
-use rayproof::scene::{Camera, Geometry, Hit, Ray, load};
+use rayproof::files::load;
+use rayproof::scene::{Camera, Geometry, Hit, Ray};
 use rayproof::{DeviceChoice, Intersector, Options};
 use rayproof_oracle::families::meshes::open_edges;
 use rayproof_oracle::{Oracle, judge::judge_closest};

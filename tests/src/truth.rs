@@ -1,12 +1,12 @@
 //! The precision `fast` against exact arithmetic, family by family: nothing beyond what the precision promises.
 
 use rayproof::Precision;
-use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::judge::{Verdict, judge_any, judge_closest};
+use rayproof_tree::{Bvh, Scaling};
 
 const SEED: u64 = 7;
 const RAYS_PER_FAMILY: usize = 2_000;

@@ -1,12 +1,12 @@
 //! The calculation that the oracle lays out, against the engines that it stands for: the same bits.
 
 use rayproof::Precision;
-use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Triangle};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{self, Family};
 use rayproof_oracle::worked::{Answer, COLUMNS, EXACT, Value, work};
+use rayproof_tree::{Bvh, Scaling};
 
 const SEED: u64 = 20_261_125;
 const RAYS_PER_FAMILY: usize = 1_000;

@@ -1,6 +1,7 @@
 //! The three questions that can be asked of a ray, and what goes with each.
 
-use rayproof::scene::{self, Hit, HitKind, HitWriter, Ray, Scene, Undecided};
+use rayproof::files::{self, HitKind, HitWriter};
+use rayproof::scene::{Hit, Ray, Scene, Undecided};
 use rayproof::{Error, Intersector};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::judge::{Verdict, judge_any, judge_closest, judge_count};
@@ -17,7 +18,7 @@ pub(crate) trait Answer: Copy + Send + Sync + 'static {
     /// Asks the engine; returned is how many rays its stages left open.
     fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error>;
     /// Appends answers to the file.
-    fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), scene::Error>;
+    fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), files::Error>;
     /// Whether the ray hits anything.
     fn is_hit(&self) -> bool;
     /// Asks the oracle.
@@ -33,7 +34,7 @@ impl Answer for Hit {
         engine.closest(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), scene::Error> {
+    fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), files::Error> {
         writer.write_closest(scene, answers)
     }
 
@@ -56,7 +57,7 @@ impl Answer for u8 {
         engine.any(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), scene::Error> {
+    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), files::Error> {
         writer.write_any(answers)
     }
 
@@ -79,7 +80,7 @@ impl Answer for u32 {
         engine.count(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), scene::Error> {
+    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), files::Error> {
         writer.write_count(answers)
     }
 

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 use rayproof::Precision;
-use rayproof::scene::{HitKind, Scene};
+use rayproof::files::HitKind;
+use rayproof::scene::Scene;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::judge::Verdict;
 

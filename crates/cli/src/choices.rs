@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rayproof::Precision;
-use rayproof::scene::{self, InvalidRays};
+use rayproof::files::{self, InvalidRays};
 
 use crate::exit::{Code, Failure};
 use crate::target;
@@ -71,16 +71,16 @@ impl Format {
     ///
     /// # Errors
     /// A usage error where the ending says nothing; another where the folder is not there.
-    pub(crate) fn of_output(self, path: &Path) -> Result<scene::Format, Failure> {
+    pub(crate) fn of_output(self, path: &Path) -> Result<files::Format, Failure> {
         if path.as_os_str() != "-" {
-            let format = scene::Format::of(path).map_err(|e| Failure::new(Code::Usage, unknown(path, &e)))?;
+            let format = files::Format::of(path).map_err(|e| Failure::new(Code::Usage, unknown(path, &e)))?;
             return target::has_folder(path).map(|()| format);
         }
         Ok(match self {
-            Self::Npy => scene::Format::Npy,
-            Self::Csv => scene::Format::Csv,
+            Self::Npy => files::Format::Npy,
+            Self::Csv => files::Format::Csv,
             #[cfg(feature = "parquet")]
-            Self::Parquet => scene::Format::Parquet,
+            Self::Parquet => files::Format::Parquet,
         })
     }
 }
@@ -88,9 +88,9 @@ impl Format {
 /// The endings that this build writes.
 const ENDINGS: &str = if cfg!(feature = "parquet") { ".npy, .csv or .parquet" } else { ".npy or .csv" };
 
-fn unknown(path: &Path, error: &scene::Error) -> String {
+fn unknown(path: &Path, error: &files::Error) -> String {
     match error {
-        scene::Error::Bad(bad) => {
+        files::Error::Bad(bad) => {
             format!("--output: {}: {}; give a name that ends in {ENDINGS}", path.display(), bad.what)
         }
         other => format!("--output: {other}"),

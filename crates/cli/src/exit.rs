@@ -4,7 +4,7 @@ use std::fmt;
 use std::io::Write as _;
 use std::process::ExitCode;
 
-use rayproof::scene;
+use rayproof::files;
 
 /// The exit codes that scripts rely on; 0 is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,11 +50,11 @@ impl fmt::Display for Failure {
     }
 }
 
-impl From<scene::Error> for Failure {
-    fn from(error: scene::Error) -> Self {
+impl From<files::Error> for Failure {
+    fn from(error: files::Error) -> Self {
         let code = match &error {
-            scene::Error::Bad(_) | scene::Error::Open { .. } => Code::BadInput,
-            scene::Error::Io { .. } => Code::Running,
+            files::Error::Bad(_) | files::Error::Open { .. } => Code::BadInput,
+            files::Error::Io { .. } => Code::Running,
         };
         Self::new(code, error.to_string())
     }
@@ -103,11 +103,11 @@ mod tests {
         let io = || std::io::Error::from(std::io::ErrorKind::NotFound);
         let path = || std::path::PathBuf::from("x");
         let cases = [
-            (Failure::from(scene::Error::bad("x", "row 1", "is bad", "make it good")), 5),
-            (Failure::from(scene::Error::Open { path: path(), source: io() }), 5),
-            (Failure::from(scene::Error::Io { path: path(), source: io() }), 1),
+            (Failure::from(files::Error::bad("x", "row 1", "is bad", "make it good")), 5),
+            (Failure::from(files::Error::Open { path: path(), source: io() }), 5),
+            (Failure::from(files::Error::Io { path: path(), source: io() }), 1),
             (Failure::from(rayproof::Error::NoDevice("none".into())), 4),
-            (Failure::from(rayproof::Error::TooLarge(scene::bvh::TooLarge { primitives: 1 })), 1),
+            (Failure::from(rayproof::Error::TooLarge(rayproof::TooLarge { primitives: 1 })), 1),
             (Failure::new(Code::Usage, "no"), 2),
             (Failure::new(Code::Disagreed, "no"), 3),
         ];

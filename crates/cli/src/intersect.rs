@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use rayproof::scene::{self, Format, Hit, HitWriter, LoadedScene, Scene};
+use rayproof::files::{Format, HitWriter, LoadedScene};
+use rayproof::scene::{self, Hit, Scene};
 use rayproof::{Intersector, Options, Precision};
 
 use crate::answer::Answer;
@@ -31,7 +32,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     }
     let format = args.to.of_output(&args.output)?;
     let loading = Instant::now();
-    let LoadedScene { scene, sources, .. } = rayproof::scene::load(&args.scene)?;
+    let LoadedScene { scene, sources, .. } = rayproof::files::load(&args.scene)?;
     let load = loading.elapsed().as_secs_f64();
     target::is_no_input(&args.output, sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
     let source = Source::open(&args.rays, args.invalid.into(), args.shard)?;

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use rayproof::scene::{Camera, Ray, RayWriter, Scene};
+use rayproof::files::RayWriter;
+use rayproof::scene::{Camera, Ray, Scene};
 
 use crate::args::Rays;
 use crate::bounce::finite;
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &Rays) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     args.to.of_output(&args.output)?;
-    let loaded = rayproof::scene::load(&args.scene)?;
+    let loaded = rayproof::files::load(&args.scene)?;
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     if let Some(note) = nothing_to_hit(&loaded.scene, &args.scene).filter(|_| !args.quiet) {
         say(format_args!("note    {note}"));

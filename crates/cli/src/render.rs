@@ -29,7 +29,7 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     target::has_folder(&args.output)?;
-    let loaded = rayproof::scene::load(&args.scene)?;
+    let loaded = rayproof::files::load(&args.scene)?;
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
     let options = Options { precision: args.precision, device: args.device.clone() };

@@ -71,7 +71,7 @@ fn order(args: &Report) -> Result<Order, Failure> {
     let mut scenes = Vec::new();
     for path in &args.scene {
         let name = path.file_name().map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned());
-        scenes.push(Named { name, scene: rayproof::scene::load(path)?.scene });
+        scenes.push(Named { name, scene: rayproof::files::load(path)?.scene });
     }
     let plan = if args.quick { Plan::QUICK } else { Plan::FULL };
     Ok(Order { plan, devices: devices(args)?, scenes, peers: None })

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use rayproof::scene::{InvalidRays, Ray, RayReader};
+use rayproof::files::{InvalidRays, RayReader};
+use rayproof::scene::Ray;
 
 use crate::exit::{Code, Failure};
 use crate::parse::Shard;

@@ -1,7 +1,7 @@
 //! Twin of `shaders/batch.wgsl`.
 
-use rayproof_scene::bvh::Bvh;
 use rayproof_scene::{Hit, MISS};
+use rayproof_tree::Bvh;
 
 use crate::bvh::traverse::{Found, PreparedRay};
 use crate::math::{scale_by_power, without_sign};

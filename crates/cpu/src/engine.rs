@@ -1,8 +1,8 @@
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use rayproof_scene::bvh::{Bvh, Scaling};
 use rayproof_scene::{Hit, MISS, Precision, Ray, Undecided};
+use rayproof_tree::{Bvh, Scaling};
 
 use crate::batch::{Claims, Nearest, Params, SingleRay};
 use crate::bvh::slab::{UnitDirection, UnpackedNode, unit_direction};

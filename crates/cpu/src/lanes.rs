@@ -2,7 +2,7 @@
 //! same; where the kernel returns early, a lane is masked.
 
 use glam::{Vec3, Vec3A, Vec4};
-use rayproof_scene::bvh::PackedTriangle;
+use rayproof_tree::PackedTriangle;
 
 use crate::number::Vector;
 

@@ -7,16 +7,16 @@
 //!
 //! ```
 //! use glam::Vec3;
-//! use rayproof_cpu::{Engine, Precision};
-//! use rayproof_scene::bvh::Bvh;
-//! use rayproof_scene::{Geometry, Hit, Ray, Scene, Sphere};
+//! use rayproof_cpu::Engine;
+//! use rayproof_scene::{Geometry, Hit, Precision, Ray, Scene, Sphere};
+//! use rayproof_tree::{Bvh, Scaling};
 //!
 //! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
 //! let engine = Engine::new(Bvh::new(&scene, Scaling::of(Precision::Fast))?, Precision::Fast);
 //! let mut hits = [Hit::MISS];
 //! engine.closest(&[Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z)], &mut hits);
 //! assert_eq!(hits[0].t, 2.0);
-//! # Ok::<(), rayproof_scene::bvh::TooLarge>(())
+//! # Ok::<(), rayproof_tree::TooLarge>(())
 //! ```
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 

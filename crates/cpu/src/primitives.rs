@@ -1,7 +1,7 @@
 //! The primitives in the order of the tree's leaves, as each precision takes them.
 
 use rayproof_scene::Sphere;
-use rayproof_scene::bvh::{Bvh, Child, Originals, PackedTriangle};
+use rayproof_tree::{Bvh, Child, Originals, PackedTriangle};
 
 use crate::bvh::slab::UnpackedNode;
 use crate::exact::resolve::Shape;

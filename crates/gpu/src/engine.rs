@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bytemuck::Pod;
-use rayproof_scene::bvh::Bvh;
 use rayproof_scene::{Hit, Precision, Ray};
+use rayproof_tree::Bvh;
 
 use crate::Error;
 use crate::batch::Stream;

@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 use rayon::prelude::*;
 use rayproof_scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene};
 

@@ -1,6 +1,6 @@
 //! Exact vectors: the stored `f32` numbers as rationals.
 
-use dashu::rational::Relaxed;
+use dashu_ratio::Relaxed;
 use glam::Vec3;
 use rayproof_scene::Ray;
 

@@ -1,10 +1,8 @@
 use std::cmp::Ordering;
 
-use dashu::{
-    base::{Sign, SquareRoot as _},
-    integer::{IBig, UBig},
-    rational::RBig,
-};
+use dashu_base::{Sign, SquareRoot as _};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 /// The exact real number `p + s sqrt(D)`: `p` and `D >= 0` rational, `s` one of `-1, 1`.
 ///

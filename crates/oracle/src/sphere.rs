@@ -3,7 +3,7 @@
 //! With `o = e - c`, `|o + t d|^2 = r^2` is `a t^2 + 2 b t + c' = 0` for `a = d.d`, `b = o.d`, `c' = o.o - r^2`; its
 //! roots are `p +- sqrt(D)` with `p = -b / a` and `D = (b^2 - a c') / a^2`.
 
-use dashu::base::Sign;
+use dashu_base::Sign;
 use rayproof_scene::Sphere;
 
 use crate::{

@@ -31,7 +31,7 @@
 
 use std::cmp::Ordering;
 
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 use rayproof_scene::Triangle;
 
 use crate::{

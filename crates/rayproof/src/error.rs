@@ -1,4 +1,4 @@
-use rayproof_scene::bvh::TooLarge;
+use rayproof_tree::TooLarge;
 
 /// Why an intersector could not be made or could not go on.
 #[derive(Debug, thiserror::Error)]

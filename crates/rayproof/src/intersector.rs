@@ -3,8 +3,8 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 use rayproof_gpu::{Gpu, Open};
-use rayproof_scene::bvh::{Bvh, Scaling};
 use rayproof_scene::{Hit, Ray, Scene, Undecided};
+use rayproof_tree::{Bvh, Scaling};
 
 use crate::{Device, DeviceInfo, Error, Options, Precision};
 

@@ -33,6 +33,8 @@ pub use choice::{DeviceChoice, DeviceInfo, Options};
 pub use device::Device;
 pub use error::Error;
 pub use intersector::Intersector;
+pub use rayproof_files as files;
 pub use rayproof_gpu::{AdapterReport, Fingerprint, Handles, Route, adapters};
 pub use rayproof_scene as scene;
 pub use rayproof_scene::Precision;
+pub use rayproof_tree::TooLarge;

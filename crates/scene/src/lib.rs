@@ -1,4 +1,4 @@
-//! What there is: rays, spheres, triangles, scenes and cameras, and the files they are read from.
+//! What there is: rays, spheres, triangles, scenes, cameras and hits.
 //!
 //! A [`Scene`] is a list of geometries, each a mesh or a table of spheres. A [`Ray`] asks where it first meets one
 //! of them, and a [`Hit`] answers. Everything is `f32`, taken as exact: "the exact answer" means real arithmetic on
@@ -21,24 +21,16 @@
 //! assert_eq!(ray.at(2.0), triangle.point(0.25, 0.5));
 //! ```
 
-mod batch;
-pub mod bvh;
 mod camera;
-mod error;
-mod files;
 mod hit;
 pub mod number;
 mod precision;
 mod ray;
-pub mod replay;
 mod scene;
 mod sphere;
 mod triangle;
 
-pub use batch::{Format, HitKind, HitWriter, INVALID_RAY, InvalidRays, RayReader, RayWriter};
 pub use camera::{Camera, Pixels};
-pub use error::{BadInput, Error};
-pub use files::{LoadedScene, load};
 pub use hit::{Hit, MISS, Undecided};
 pub use precision::{NotAPrecision, Precision};
 pub use ray::{Ray, RayFault};

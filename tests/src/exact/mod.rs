@@ -7,10 +7,10 @@ mod spheres;
 mod widths;
 
 use rayproof::Precision;
-use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray, Scene, Undecided};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_gpu::Engine as Device;
+use rayproof_tree::{Bvh, Scaling};
 
 use crate::device::gpu;
 

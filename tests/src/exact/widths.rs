@@ -1,11 +1,11 @@
 //! Numbers that this device's measurement does not choose, but another's may: the same bits in the end.
 
 use rayproof::Precision;
-use rayproof::scene::bvh::{Bvh, Scaling};
 use rayproof::scene::{Hit, Ray};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_gpu::{Engine as Device, SecondStage, Width};
 use rayproof_oracle::families;
+use rayproof_tree::{Bvh, Scaling};
 
 use super::rays;
 use crate::device::gpu;

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec3A, Vec4};
 use rayproof_scene::MISS;
-use rayproof_scene::bvh::Node;
+use rayproof_tree::Node;
 
 use crate::batch::Params;
 use crate::math::{exponent_of, largest, power_of_two};

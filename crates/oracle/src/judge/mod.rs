@@ -23,7 +23,7 @@ mod triangle;
 
 use std::cmp::Ordering;
 
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 use rayproof_scene::{Hit, Ray};
 
 use self::case::residual;

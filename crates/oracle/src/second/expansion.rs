@@ -177,7 +177,7 @@ pub(super) fn cross([a, b, c]: &Vector, [x, y, z]: &Vector) -> Vector {
 
 #[cfg(test)]
 mod tests {
-    use dashu::rational::RBig;
+    use dashu_ratio::RBig;
     use proptest::prelude::*;
 
     use super::*;

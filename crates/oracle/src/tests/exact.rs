@@ -1,6 +1,6 @@
 //! The contract's cases with answers known by hand, and exact answers substituted into the equations they solve.
 
-use dashu::rational::{RBig, Relaxed};
+use dashu_ratio::{RBig, Relaxed};
 use glam::Vec3;
 use rayproof_scene::{Hit, Primitive, Ray, Scene, Sphere, Triangle};
 

@@ -2,11 +2,9 @@
 
 use std::cmp::Ordering;
 
-use dashu::{
-    base::{Sign, SquareRoot, UnsignedAbs},
-    integer::{IBig, UBig},
-    rational::RBig,
-};
+use dashu_base::{Sign, SquareRoot, UnsignedAbs};
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 use super::Random;
 use crate::Root;

@@ -1,6 +1,8 @@
 //! The leading digits of an exact number, in any base.
 
-use dashu::{base::UnsignedAbs as _, integer::UBig, rational::RBig};
+use dashu_base::UnsignedAbs as _;
+use dashu_int::UBig;
+use dashu_ratio::RBig;
 
 use crate::Root;
 

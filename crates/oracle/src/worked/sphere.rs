@@ -1,6 +1,7 @@
 //! A ray and a sphere.
 
-use dashu::{base::Sign, rational::RBig};
+use dashu_base::Sign;
+use dashu_ratio::RBig;
 use rayproof_scene::{Precision, Ray, Sphere};
 
 use super::float::{Float, dot3, sub};

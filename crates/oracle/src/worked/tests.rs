@@ -3,7 +3,7 @@
 
 mod values;
 
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 use glam::Vec3;
 use rayproof_scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Sphere, Triangle};
 

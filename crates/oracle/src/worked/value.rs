@@ -1,4 +1,4 @@
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 use rayproof_scene::number;
 
 use super::digits::leading;

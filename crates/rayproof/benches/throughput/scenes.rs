@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use glam::Vec3;
-use rayproof::scene::{Geometry, Mesh, Scene, Sphere, load};
+use rayproof::files::load;
+use rayproof::scene::{Geometry, Mesh, Scene, Sphere};
 
 use crate::rays::Numbers;
 

@@ -1,6 +1,7 @@
 //! One ray as two small files that `rayproof intersect` answers again.
 
-use rayproof::scene::{Hit, Primitive, Ray, Scene, number, replay};
+use rayproof::files::replay;
+use rayproof::scene::{Hit, Primitive, Ray, Scene, number};
 
 use super::Error;
 use super::subject::{Bench, Subject, Walk};

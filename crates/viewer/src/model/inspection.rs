@@ -1,6 +1,7 @@
 //! One ray, as every method answers it.
 
-use rayproof::scene::{Hit, Ray, Scene, replay};
+use rayproof::files::replay;
+use rayproof::scene::{Hit, Ray, Scene};
 use rayproof::{Device, Error, Intersector, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::worked::{Worked, work};

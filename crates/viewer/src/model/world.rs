@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::{DVec3, Vec3};
-use rayproof::scene::{Camera, Geometry, LoadedScene, Scene, Sphere, load};
+use rayproof::files::{LoadedScene, load};
+use rayproof::scene::{Camera, Geometry, Scene, Sphere};
 use rayproof::{Device, Error, Intersector, Precision};
 use rayproof_oracle::families::meshes;
 

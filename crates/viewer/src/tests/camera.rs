@@ -149,7 +149,7 @@ fn the_camera_is_copied_as_it_is() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("seen.toml");
     std::fs::write(&file, copied.unwrap()).unwrap();
-    assert_eq!(rayproof::scene::load(&file).unwrap().camera, Some(camera(&viewer)));
+    assert_eq!(rayproof::files::load(&file).unwrap().camera, Some(camera(&viewer)));
 }
 
 #[test]

@@ -67,7 +67,7 @@ fn what_is_copied_replays_to_the_bit() {
             let [scene, rays] = ["ray.toml", "ray.csv"].map(|name| folder.path().join(name));
             std::fs::write(&scene, files[0]).unwrap();
             std::fs::write(&rays, files[1]).unwrap();
-            let loaded = rayproof::scene::load(&scene).unwrap();
+            let loaded = rayproof::files::load(&scene).unwrap();
             let numbers =
                 files[1].lines().nth(1).unwrap().split(',').map(|x| rayproof::scene::number::parse(x).unwrap());
             let [ox, oy, oz, dx, dy, dz, t_min, t_max] = numbers.collect::<Vec<_>>().try_into().unwrap();

@@ -1,6 +1,6 @@
 //! Families 21 to 36: each does what it says, checked in `f64` where that is exact, else by the oracle.
 
-use dashu::rational::RBig;
+use dashu_ratio::RBig;
 use glam::DVec3;
 use rayproof_scene::{Geometry, Mesh, Ray, Scene, Triangle};
 

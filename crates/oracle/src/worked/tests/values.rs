@@ -1,10 +1,8 @@
 //! Values as digits, against known ones and against the standard library's.
 
-use dashu::{
-    base::Sign,
-    integer::{IBig, UBig},
-    rational::RBig,
-};
+use dashu_base::Sign;
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
 
 use super::super::Value;
 use crate::Root;

@@ -1,0 +1,79 @@
+//! Rays in and hits out, a batch at a time: `.npy`, `.csv` and, with the feature `parquet`, `.parquet`.
+//!
+//! Memory is bounded by the batch that the caller asks for, whatever the size of the file. Readers never guess: what
+//! is not exactly a table of rays is an [`Error::Bad`](crate::Error::Bad). Writers never leave half a file under
+//! the name they were given.
+
+mod csv_rays;
+mod faults;
+mod format;
+mod hit_writer;
+mod npy;
+mod npy_rays;
+mod output;
+#[cfg(feature = "parquet")]
+mod parquet_rays;
+#[cfg(feature = "parquet")]
+mod parquet_table;
+mod ray_reader;
+mod ray_writer;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use faults::{INVALID_RAY, InvalidRays};
+pub use format::Format;
+pub use hit_writer::{HitKind, HitWriter};
+pub use ray_reader::RayReader;
+pub use ray_writer::RayWriter;
+
+/// The columns of a table of rays, in the order in which `.npy` holds them; the last two are optional.
+const RAY_COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "t_min", "t_max"];
+
+/// How many rows are converted at a time; a few MiB at most.
+const BLOCK_ROWS: usize = 1 << 16;
+
+/// For each named column its place in [`RAY_COLUMNS`], or what is wrong: each name is one of them, none twice, the
+/// first six are there, and of the last two both or neither.
+fn places(names: &[&str]) -> Result<Vec<usize>, String> {
+    let mut places = Vec::new();
+    for name in names {
+        match RAY_COLUMNS.iter().position(|column| column == name) {
+            Some(place) if places.contains(&place) => return Err(format!("the column {name} is there twice")),
+            Some(place) => places.push(place),
+            None => return Err(format!("{:?} is not the name of a column", name.chars().take(80).collect::<String>())),
+        }
+    }
+    let needed = if places.iter().any(|&place| place >= 6) { 8 } else { 6 };
+    match (0..needed).find(|place| !places.contains(place)) {
+        Some(missing) => Err(format!("the column {} is missing", RAY_COLUMNS[missing])),
+        None => Ok(places),
+    }
+}
+
+/// The ray of a row in the order of [`RAY_COLUMNS`].
+fn ray_of(v: [f32; 8]) -> rayproof_scene::Ray {
+    rayproof_scene::Ray {
+        origin: glam::Vec3::new(v[0], v[1], v[2]),
+        t_min: v[6],
+        direction: glam::Vec3::new(v[3], v[4], v[5]),
+        t_max: v[7],
+    }
+}
+
+/// The row of a ray in the order of [`RAY_COLUMNS`].
+fn row_of(ray: &rayproof_scene::Ray) -> [f32; 8] {
+    let (o, d) = (ray.origin, ray.direction);
+    [o.x, o.y, o.z, d.x, d.y, d.z, ray.t_min, ray.t_max]
+}
+
+/// The row of a ray whose range is not given: `t_min = 0`, `t_max = inf`.
+const DEFAULT_ROW: [f32; 8] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, f32::INFINITY];
+
+/// The nearest `f32`; `changed` counts the values that are not the same number afterwards.
+fn round(x: f64, changed: &mut u64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "rounds to the nearest, which is what is asked for")]
+    let rounded = x as f32;
+    *changed += u64::from(!x.is_nan() && f64::from(rounded) != x);
+    rounded
+}

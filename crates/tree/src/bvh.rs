@@ -1,0 +1,74 @@
+use rayproof_scene::{Precision, Scene, Sphere};
+
+use crate::{Node, Originals, PackedTriangle, build, node, pack};
+
+/// A scene made ready for traversal: the tree, and its primitives in leaf order.
+///
+/// Coordinates are those of the scene times `2^scale_exponent` (exact; see [`Bvh::new`]).
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    /// The nodes; the root is the first. A scene without primitives has a root of four empty children.
+    pub nodes: Vec<Node>,
+    /// The triangles that leaves name, with their flat numbers.
+    pub triangles: Vec<PackedTriangle>,
+    /// The spheres that leaves name.
+    pub spheres: Vec<Sphere>,
+    /// The flat number of each of `spheres`.
+    pub sphere_ids: Vec<u32>,
+    /// The scene was multiplied by two to this.
+    pub scale_exponent: i32,
+    /// A power of two that no coordinate of a box exceeds in magnitude, after scaling.
+    pub size: f32,
+    /// How many entries a traversal's stack can come to hold.
+    pub stack_depth: usize,
+    /// Whether scaling cost no bit and every number but zero is in the range for which the precision `exact` has bounds in
+    /// `f32`: from `2^-100` up, boxes within `2^25`.
+    pub plain: bool,
+    /// The primitives as they were, in the order of `triangles` and `spheres`, where scaling cost a bit.
+    pub originals: Option<Originals>,
+}
+
+/// Whether a scene's coordinates are scaled before they are packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scaling {
+    /// As they are, for the formulas by the book; but down to `2^100`, beyond which boxes could not be decoded.
+    None,
+    /// By a power of two that brings the largest coordinate between `2^-20` and `2^20`, so that products of three
+    /// lengths neither overflow nor underflow; less where a small coordinate would lose bits or a small primitive its
+    /// square. Exact up to coordinates of `2^100`.
+    PowerOfTwo,
+}
+
+impl Scaling {
+    /// How a tree for a precision is scaled.
+    #[must_use]
+    pub const fn of(precision: Precision) -> Self {
+        match precision {
+            Precision::Textbook | Precision::Classic => Self::None,
+            Precision::Fast | Precision::Pair | Precision::Double | Precision::Exact => Self::PowerOfTwo,
+        }
+    }
+}
+
+impl Bvh {
+    /// Builds the tree over all primitives, triangles and spheres together, on all cores.
+    ///
+    /// # Errors
+    /// When the scene has more than 2^28 - 1 triangles or spheres, or 2^32 - 1 primitives: what a child can name.
+    pub fn new(scene: &Scene, scaling: Scaling) -> Result<Self, TooLarge> {
+        let primitives = scene.len();
+        if scene.triangle_count().max(scene.sphere_count()) >= node::MAX_FIRST || primitives >= u32::MAX as usize {
+            return Err(TooLarge { primitives });
+        }
+        let packed = pack::Packed::new(scene, scaling);
+        Ok(build::build(packed))
+    }
+}
+
+/// A scene with more primitives than a tree can number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the scene has {primitives} primitives; a tree can hold up to 268,435,454 triangles and as many spheres")]
+pub struct TooLarge {
+    /// How many primitives the scene has.
+    pub primitives: usize,
+}

@@ -1,0 +1,17 @@
+//! The bounding volume hierarchy that both engines walk: four children a node, boxes on an exact grid.
+//!
+//! Topology comes from `obvhs` (PLOC and reinsertion); boxes, layout and their conservativeness are ours:
+//!
+//! * A leaf's box is the exact box of its triangles, or of its spheres rounded outward.
+//! * A node stores its children's boxes as bytes on a grid `origin + q step`, `step` a power of two and `origin` a
+//!   multiple of it no larger than `2^24 step`, so decoding is exact in `f32`: nothing but the slab test can round, and
+//!   `shaders/bvh/slab.wgsl` derives the pad that covers it.
+
+mod build;
+mod bvh;
+mod node;
+mod pack;
+
+pub use bvh::{Bvh, Scaling, TooLarge};
+pub use node::{Child, EMPTY, Node};
+pub use pack::{Originals, PackedTriangle};
