@@ -81,10 +81,10 @@ fn plane_t(ray: Line, s: Sides, edge: N) -> Estimate {
     return quotient(ray, s, dot_n(s.normal, s.p), bound);
 }
 
-// The triangle in a place: three quads, with the flat number beside the first vertex and `edge` beside the second.
-fn load_triangle(slot: u32) -> Corners {
-    let a = bitcast<vec4<f32>>(triangle_quad(slot * 3u));
-    let b = bitcast<vec4<f32>>(triangle_quad(slot * 3u + 1u));
-    let c = bitcast<vec4<f32>>(triangle_quad(slot * 3u + 2u));
+// The triangle of an index: three quads, with the flat number beside the first vertex and `edge` beside the second.
+fn load_triangle(index: u32) -> Corners {
+    let a = bitcast<vec4<f32>>(triangle_quad(index * 3u));
+    let b = bitcast<vec4<f32>>(triangle_quad(index * 3u + 1u));
+    let c = bitcast<vec4<f32>>(triangle_quad(index * 3u + 2u));
     return Corners(v(a.xyz), v(b.xyz), v(c.xyz), n(b.w));
 }

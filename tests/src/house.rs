@@ -2,17 +2,19 @@
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 use serde_json::Value;
 
 /// Each room, and the rooms that it is built from. A new room is entered here and in the README.
-const ROOMS: [(&str, &[&str]); 12] = [
+const ROOMS: [(&str, &[&str]); 13] = [
+    ("rayproof-shaders", &[]),
     ("rayproof-scene", &[]),
     ("rayproof-files", &["rayproof-scene"]),
     ("rayproof-tree", &["rayproof-scene"]),
-    ("rayproof-gpu", &["rayproof-scene", "rayproof-tree"]),
+    ("rayproof-gpu", &["rayproof-scene", "rayproof-shaders", "rayproof-tree"]),
     ("rayproof-cpu", &["rayproof-scene", "rayproof-tree"]),
     ("rayproof", &["rayproof-cpu", "rayproof-files", "rayproof-gpu", "rayproof-scene", "rayproof-tree"]),
     ("rayproof-oracle", &["rayproof-scene"]),
@@ -37,6 +39,22 @@ const DEVICE_CRATES: [&str; 4] = ["wgpu", "naga", "ash", "spirv"];
 /// What is at the top level beside dot-files.
 const TOP: [&str; 8] =
     ["Cargo.lock", "Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "crates", "shaders", "tests"];
+
+/// Where the twins of the kernels are.
+const TWINS: &str = "crates/cpu/src/twin";
+
+/// The kernels without a twin: a file, or all files of a folder, and why.
+const WITHOUT_TWIN: [(&str, &str); 9] = [
+    ("fingerprint.wgsl", "measures the device"),
+    ("exact/number/trial.wgsl", "measures the device"),
+    ("ray_query.wgsl", "a peer, not a kernel of ours"),
+    ("query/", "entry points: on the CPU a batch is `engine.rs`"),
+    ("exact/query/", "entry points: on the CPU a batch is `engine.rs`"),
+    ("exact/list.wgsl", "what a pass leaves to the next: the CPU decides on the spot, in `exact/second.rs`"),
+    ("exact/round/", "the CPU rounds otherwise and to the end, in `exact/values.rs`"),
+    ("exact/number/single_", "one line each: a roundoff, of which the CPU's stands in `number/single.rs`"),
+    ("exact/number/pair_of_f32.wgsl", "two constants: the CPU's are `Part for f32` in `number/pair.rs`"),
+];
 
 /// A package's dependencies.
 struct Room {
@@ -132,6 +150,42 @@ fn only_one_room_speaks_to_a_device() {
         let speaks = |dependency: &&String| DEVICE_CRATES.iter().any(|start| dependency.starts_with(start));
         let found: Vec<_> = room.built.iter().filter(speaks).collect();
         assert!(found.is_empty(), "{name} is built from {found:?}");
+    }
+}
+
+/// The files of a folder and of those in it, by their paths from there, without their endings.
+fn stems(folder: &Path, root: &Path, found: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            stems(&path, root, found);
+        } else {
+            found.insert(path.strip_prefix(root).unwrap().with_extension("").to_str().unwrap().replace('\\', "/"));
+        }
+    }
+}
+
+#[test]
+fn every_kernel_has_its_twin_at_its_path() {
+    let mut twins = BTreeSet::new();
+    let folder = root().join(TWINS);
+    stems(&folder, &folder, &mut twins);
+    // What holds others together, and tests, are no twins.
+    twins.retain(|twin| !["mod", "tests"].contains(&twin.rsplit('/').next().unwrap()));
+
+    let (with, without): (Vec<&str>, Vec<&str>) = rayproof_shaders::FILES
+        .iter()
+        .map(|(path, _)| *path)
+        .partition(|path| !WITHOUT_TWIN.iter().any(|(start, _)| path.starts_with(start)));
+    let kernels: BTreeSet<String> = with.iter().map(|path| path.trim_end_matches(".wgsl").to_owned()).collect();
+    println!("{} kernels have twins, {} have none", with.len(), without.len());
+    assert!(kernels.len() > 20, "{kernels:?}");
+    let missing: Vec<_> = kernels.difference(&twins).collect();
+    let stray: Vec<_> = twins.difference(&kernels).collect();
+    assert!(missing.is_empty(), "without a twin in {TWINS} and not listed: {missing:?}");
+    assert!(stray.is_empty(), "in {TWINS} without a kernel: {stray:?}");
+    for (start, why) in WITHOUT_TWIN {
+        assert!(without.iter().any(|path| path.starts_with(start)), "no kernel is {start}, which has no twin: {why}");
     }
 }
 

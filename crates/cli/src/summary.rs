@@ -4,7 +4,7 @@ use std::fmt::{self, Write as _};
 use std::path::Path;
 
 use rayproof::DeviceInfo;
-use rayproof::scene::{self, Scene};
+use rayproof::scene::{self, Kind, Scene};
 pub(crate) use rayproof_report::page::count as grouped;
 use serde::Serialize;
 
@@ -41,8 +41,14 @@ pub(crate) struct SceneSize {
 
 impl SceneSize {
     pub(crate) fn of(scene: &Scene) -> Self {
-        let (spheres, triangles) = (scene.sphere_count(), scene.triangle_count());
-        Self { spheres, triangles, geometries: scene.geometries().len() }
+        let mut size = Self { spheres: 0, triangles: 0, geometries: scene.geometries().len() };
+        for kind in Kind::ALL {
+            match kind {
+                Kind::Triangle => size.triangles = scene.count(kind),
+                Kind::Sphere => size.spheres = scene.count(kind),
+            }
+        }
+        size
     }
 }
 
@@ -121,15 +127,12 @@ impl Summary {
 
 impl fmt::Display for SceneSize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts = [(self.triangles, "triangle", "s"), (self.spheres, "sphere", "s")];
-        let mut text = String::new();
-        for (count, one, many) in parts {
-            if count > 0 {
-                let _ = write!(text, "{} {one}{}, ", grouped(count as u64), if count == 1 { "" } else { many });
-            }
+        let Self { triangles, spheres, geometries } = *self;
+        for (count, kind) in [(triangles, Kind::Triangle), (spheres, Kind::Sphere)].into_iter().filter(|(n, _)| *n > 0)
+        {
+            write!(f, "{} {}{}, ", grouped(count as u64), kind.name(), if count == 1 { "" } else { "s" })?;
         }
-        let ending = if self.geometries == 1 { "y" } else { "ies" };
-        write!(f, "{text}{} geometr{ending}", self.geometries)
+        write!(f, "{geometries} geometr{}", if geometries == 1 { "y" } else { "ies" })
     }
 }
 

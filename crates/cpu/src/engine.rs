@@ -1,17 +1,20 @@
+mod walks;
+
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use rayproof_scene::{Hit, MISS, Precision, Ray, Undecided};
-use rayproof_tree::{Bvh, Scaling};
+use rayproof_scene::{Hit, Kind, MISS, Precision, Ray, Undecided};
+use rayproof_tree::{Bvh, LEAF, Scaling};
 
-use crate::batch::{Claims, Nearest, Params, SingleRay};
-use crate::bvh::slab::{UnitDirection, UnpackedNode, unit_direction};
-use crate::bvh::traverse::{Found, LEAF, PreparedRay, Stack, stack, traverse};
-use crate::exact::{self, Crossings, First, FirstRay, first, second, second::SecondRay};
+use crate::claims::Claims;
 use crate::formulas::{Classic, Double, Fast, Formulas, Pair, Textbook};
-use crate::leaf::{SPHERES, intersect_spheres, intersect_triangles, leaf_range};
 use crate::primitives::Primitives;
 use crate::simd;
+use crate::twin::batch::Params;
+use crate::twin::bvh::slab::{UnpackedNode, unit_direction};
+use crate::twin::bvh::traverse::{Stack, stack};
+use crate::twin::leaf::single::SingleRay;
+use crate::twin::leaf::word::{leaf_first, leaf_range};
 
 /// Rays one task takes at most: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
@@ -224,161 +227,15 @@ impl Engine {
         let count = |ray: &Ray, stack: &mut Stack, _: &mut Path| {
             let unit = unit_direction(ray.direction);
             let ray = F::ray(&self.params, ray, &unit);
-            let triangles = |ray: &SingleRay, word, found| {
-                Claims::count(found, F::triangles(ray, &leaves[leaf_range(word).start]).hits)
+            let leaf = |kind, ray: &SingleRay, word, found| match kind {
+                Kind::Triangle => Claims::count(found, F::triangles(ray, &leaves[leaf_first(word)]).hits),
+                Kind::Sphere => {
+                    let hit = |i: usize| u32::from(F::sphere(ray, &spheres[i]).hit);
+                    leaf_range(word).fold(found, |found, i| Claims::count(found, hit(i)))
+                }
             };
-            let balls = |ray: &SingleRay, word, found| {
-                let hit = |i: usize| u32::from(F::sphere(ray, &spheres[i]).hit);
-                leaf_range(word).fold(found, |found, i| Claims::count(found, hit(i)))
-            };
-            self.walk(stack, &unit, &ray, Claims::start(&ray), triangles, balls).claims
+            self.walk(stack, &unit, &ray, Claims::start(&ray), leaf).claims
         };
         self.batch(rays, claims, count, |_, _, _| {});
-    }
-
-    /// The hit by the formulas of a precision other than `exact`.
-    #[inline(always)]
-    fn nearest<F: Formulas, const ANY: bool>(&self, ray: &Ray, stack: &mut Stack) -> Hit {
-        let unit = unit_direction(ray.direction);
-        let ray = F::ray(&self.params, ray, &unit);
-        let Primitives { leaves, spheres, sphere_ids, .. } = &*self.primitives;
-        self.walk(
-            stack,
-            &unit,
-            &ray,
-            Nearest::<ANY>::start(&ray),
-            #[inline(always)]
-            |ray: &SingleRay, word, found| intersect_triangles(leaves, ray, word, found, F::triangles),
-            #[inline(always)]
-            |ray: &SingleRay, word, found| intersect_spheres(spheres, sphere_ids, ray, word, found, F::sphere),
-        )
-        .hit(&ray)
-    }
-
-    /// The walk over the leaves that the scene has.
-    #[inline(always)]
-    fn walk<R: PreparedRay, F: Found>(
-        &self,
-        stack: &mut Stack,
-        unit: &UnitDirection,
-        ray: &R,
-        start: F,
-        triangles: impl Fn(&R, u32, F) -> F,
-        spheres: impl Fn(&R, u32, F) -> F,
-    ) -> F {
-        let Self { nodes, params, primitives, .. } = self;
-        if let Some(words) = &self.every {
-            let take = |found, &word: &u32| {
-                if word & SPHERES == 0 { triangles(ray, word, found) } else { spheres(ray, word, found) }
-            };
-            return words.iter().fold(start, take);
-        }
-        if primitives.spheres.is_empty() {
-            traverse(params, nodes, stack, unit, ray, start, triangles)
-        } else if primitives.leaves.is_empty() {
-            traverse(params, nodes, stack, unit, ray, start, spheres)
-        } else {
-            traverse(
-                params,
-                nodes,
-                stack,
-                unit,
-                ray,
-                start,
-                #[inline(always)]
-                |ray, word, found| {
-                    if word & SPHERES == 0 { triangles(ray, word, found) } else { spheres(ray, word, found) }
-                },
-            )
-        }
-    }
-
-    /// The hit of the primitive in a place, which is hit in range.
-    #[inline(always)]
-    fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> Hit {
-        let Primitives { scale, scale_exponent, .. } = *self.primitives;
-        let ray = SecondRay::new(ray, scale, slot & SPHERES != 0);
-        let [t, u, v] = exact::round(&ray, &self.primitives.shape(slot), scale_exponent, &mut path.doubts);
-        Hit { t, u, v, primitive: self.primitives.id(slot) }
-    }
-
-    /// The place of the primitive that is hit first.
-    #[inline(always)]
-    fn exact_slot<const ANY: bool>(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u32 {
-        let unit = unit_direction(ray.direction);
-        let first = exact::first_ray(&self.params, ray, &unit);
-        if !first.ordinary {
-            return self.second_slot::<ANY>(ray, path);
-        }
-        let Primitives { leaves, spheres, .. } = &*self.primitives;
-        let found = self.walk(
-            stack,
-            &unit,
-            &first,
-            First::<ANY>::start(&first),
-            #[inline(always)]
-            |ray: &_, word, found| first::intersect_triangles(leaves, ray, word, found),
-            #[inline(always)]
-            |ray: &_, word, found| first::intersect_spheres(spheres, ray, word, found),
-        );
-        if found.decided() {
-            return found.slot;
-        }
-        self.narrow_slot(ray, &unit, &first, &found, stack, path)
-    }
-
-    /// The closest hit of a ray that the first stage left open: only between the two ends that it found.
-    fn narrow_slot<const ANY: bool>(
-        &self,
-        ray: &Ray,
-        unit: &UnitDirection,
-        first: &FirstRay,
-        found: &First<ANY>,
-        stack: &mut Stack,
-        path: &mut Path,
-    ) -> u32 {
-        path.open = true;
-        let [low, high] = found.window();
-        let narrow = FirstRay { t_min: first.t_min.max(low), ..*first };
-        let start = second::Nearest::<ANY>::start(high, 2.0_f64.powi(unit.exponent));
-        let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
-        let leaf = |_: &FirstRay, word, found: second::Nearest<ANY>| found.leaf(&self.primitives, &ray, word);
-        let found = self.walk(stack, unit, &narrow, start, leaf, leaf);
-        path.doubts += found.doubts;
-        found.slot()
-    }
-
-    /// The closest hit of a ray that is not for the first stage.
-    fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
-        path.open = true;
-        let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
-        let found = second::Nearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
-        path.doubts += found.doubts;
-        found.slot()
-    }
-
-    #[inline(always)]
-    fn exact_count(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u32 {
-        let unit = unit_direction(ray.direction);
-        let first = exact::first_ray(&self.params, ray, &unit);
-        if first.ordinary {
-            let Primitives { leaves, spheres, .. } = &*self.primitives;
-            let found = self.walk(
-                stack,
-                &unit,
-                &first,
-                Crossings::start(&first),
-                #[inline(always)]
-                |ray: &_, word, found| first::count_triangles(leaves, ray, word, found),
-                #[inline(always)]
-                |ray: &_, word, found| first::count_spheres(spheres, ray, word, found),
-            );
-            if !found.open {
-                return found.count;
-            }
-        }
-        path.open = true;
-        let ray = SecondRay::new(ray, self.primitives.scale, self.params.spheres);
-        second::count(&self.nodes, &self.primitives, &ray, &mut path.doubts)
     }
 }

@@ -3,12 +3,13 @@
 use glam::Vec4;
 use rayproof_scene::{Ray, Sphere};
 
-use crate::batch::{Candidate, Params, SingleRay};
-use crate::bvh::slab::UnitDirection;
-use crate::double::{self, F64x4};
-use crate::exact::two::Two;
+use crate::f64x4::F64x4;
 use crate::lanes::{Candidates, Triangles4};
-use crate::{classic, fast, textbook};
+use crate::twin::batch::Params;
+use crate::twin::bvh::slab::UnitDirection;
+use crate::twin::exact::number::pair::Two;
+use crate::twin::leaf::single::{Candidate, SingleRay};
+use crate::twin::{classic, double, fast, textbook};
 
 /// How a precision computes hits.
 pub(crate) trait Formulas {

@@ -4,7 +4,7 @@
 use glam::{Vec3, Vec3A, Vec4};
 use rayproof_tree::PackedTriangle;
 
-use crate::number::Vector;
+use crate::twin::exact::vector::Vector;
 
 /// Three corners, and the largest component of the edges at `a`, rounded up.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,8 @@
 //! How the CPU answers: a twin of every kernel in `shaders/`, on all cores.
 //!
-//! A twin has its kernel's path and names and does the same operations in the same order, so that its answers equal the
-//! device's in every bit wherever the device's arithmetic is IEEE. The derivations stand in the WGSL headers.
+//! `twin/` mirrors `shaders/` path for path: a twin has its kernel's names and does the same operations in the same order, so
+//! that its answers equal the device's in every bit wherever the device's arithmetic is IEEE. The derivations stand in the WGSL
+//! headers. Beside it stand what kernels do not have: four triangles abreast, and the later stages of the precision `exact`.
 //!
 //! [`Engine`] holds a scene's tree; [`Engine::closest`], [`Engine::any`] and [`Engine::count`] answer batches of rays.
 //!
@@ -20,21 +21,15 @@
 //! ```
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 
-mod batch;
-mod bvh;
-mod classic;
-mod double;
+mod claims;
 mod engine;
 mod exact;
-mod fast;
+mod f64x4;
 mod formulas;
 mod lanes;
-mod leaf;
-mod math;
-mod number;
 mod primitives;
 mod simd;
-mod textbook;
+mod twin;
 
 pub use engine::Engine;
 

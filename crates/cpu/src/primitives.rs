@@ -1,14 +1,14 @@
 //! The primitives in the order of the tree's leaves, as each precision takes them.
 
-use rayproof_scene::Sphere;
+use rayproof_scene::{Kind, Kinds, Sphere};
 use rayproof_tree::{Bvh, Child, Originals, PackedTriangle};
 
-use crate::bvh::slab::UnpackedNode;
 use crate::exact::resolve::Shape;
 use crate::lanes::Triangles4;
-use crate::leaf::SPHERES;
+use crate::twin::bvh::slab::UnpackedNode;
+use crate::twin::leaf::word::{place_index, place_kind};
 
-/// All primitives. A place is `4 leaf + lane` of a triangle, or the index of a sphere with [`SPHERES`] set.
+/// All primitives. The index in the place of a triangle is `4 leaf + lane`.
 #[derive(Clone, Debug)]
 pub(crate) struct Primitives {
     /// The scaled triangles, a leaf each.
@@ -16,6 +16,8 @@ pub(crate) struct Primitives {
     /// The scaled spheres.
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) sphere_ids: Vec<u32>,
+    /// The kinds that there are.
+    pub(crate) kinds: Kinds,
     /// Both as they were, where scaling cost a bit.
     originals: Option<(Vec<Triangles4>, Vec<Sphere>)>,
     pub(crate) scale_exponent: i32,
@@ -31,9 +33,13 @@ impl Primitives {
         for node in &mut nodes {
             let mut children = node.children();
             for word in &mut children {
-                if let Child::Triangles { first, count } = Child::from_word(*word) {
-                    *word = Child::Triangles { first: ranges.len(), count }.word();
-                    ranges.push(first..first + count);
+                let Child::Leaf { kind, first, count } = Child::from_word(*word) else { continue };
+                match kind {
+                    Kind::Triangle => {
+                        *word = Child::Leaf { kind, first: ranges.len(), count }.word();
+                        ranges.push(first..first + count);
+                    }
+                    Kind::Sphere => {}
                 }
             }
             node.set_children(children);
@@ -41,6 +47,7 @@ impl Primitives {
         let lanes = |triangles: &[PackedTriangle]| {
             ranges.iter().map(|range| Triangles4::new(&triangles[range.clone()])).collect::<Vec<_>>()
         };
+        let kinds = bvh.kinds();
         let Bvh { triangles, spheres, sphere_ids, originals, scale_exponent, .. } = bvh;
         let leaves = lanes(&triangles);
         let originals = originals.map(|Originals { triangles: corners, spheres }| {
@@ -49,33 +56,37 @@ impl Primitives {
             (lanes(&triangles), spheres)
         });
         let scale = 2.0_f64.powi(scale_exponent);
-        (Self { leaves, spheres, sphere_ids, originals, scale_exponent, scale }, nodes)
+        (Self { leaves, spheres, sphere_ids, kinds, originals, scale_exponent, scale }, nodes)
     }
 
     /// The flat number of the primitive in a place.
     #[inline(always)]
-    pub(crate) fn id(&self, slot: u32) -> u32 {
-        if slot & SPHERES == 0 {
-            self.leaves[slot as usize >> 2].ids[slot as usize & 3]
-        } else {
-            self.sphere_ids[(slot & !SPHERES) as usize]
+    pub(crate) fn id(&self, place: u32) -> u32 {
+        let index = place_index(place);
+        match place_kind(place) {
+            Kind::Triangle => self.leaves[index >> 2].ids[index & 3],
+            Kind::Sphere => self.sphere_ids[index],
         }
     }
 
     /// The primitive in a place, scaled, exactly.
     #[inline(always)]
-    pub(crate) fn shape(&self, slot: u32) -> Shape {
+    pub(crate) fn shape(&self, place: u32) -> Shape {
         let (leaves, spheres, scale) = match &self.originals {
             None => (&self.leaves, &self.spheres, 1.0),
             Some((leaves, spheres)) => (leaves, spheres, self.scale),
         };
-        if slot & SPHERES == 0 {
-            let corners = leaves[slot as usize >> 2].corners(slot as usize & 3);
-            Shape::Triangle(corners.map(|p| p.map(|x| f64::from(x) * scale)))
-        } else {
-            let Sphere { center, radius } = spheres[(slot & !SPHERES) as usize];
-            let center = (center.as_dvec3() * scale).to_array();
-            Shape::Sphere { center, radius: f64::from(radius) * scale }
+        let index = place_index(place);
+        match place_kind(place) {
+            Kind::Triangle => {
+                let corners = leaves[index >> 2].corners(index & 3);
+                Shape::Triangle(corners.map(|p| p.map(|x| f64::from(x) * scale)))
+            }
+            Kind::Sphere => {
+                let Sphere { center, radius } = spheres[index];
+                let center = (center.as_dvec3() * scale).to_array();
+                Shape::Sphere { center, radius: f64::from(radius) * scale }
+            }
         }
     }
 }

@@ -86,7 +86,7 @@ impl Stream {
     pub(crate) fn new(gpu: &Gpu, scene: &OnDevice, query: Query, passes: &[Pass]) -> Result<Self, Error> {
         let layout = gpu.layout(u32::try_from(scene.buffers.len()).unwrap_or(u32::MAX));
         let compile = |&pass: &Pass| -> Result<_, Error> {
-            let kernel = Kernel { pass, query, contents: scene.contents, walk: scene.walk };
+            let kernel = Kernel { pass, query, kinds: scene.kinds, walk: scene.walk };
             let host = match scene.walk {
                 Walk::Tree => scene.accessors.clone(),
                 Walk::Every => format!("{}const NODE_COUNT: u32 = {}u;\n", scene.accessors, scene.nodes),
@@ -235,10 +235,9 @@ impl Stream {
 mod tests {
     use std::mem::offset_of;
 
-    use rayproof_scene::Precision;
+    use rayproof_scene::{Kind, Precision};
 
     use super::*;
-    use crate::kernel::Contents;
 
     /// Names and offsets of a struct's members in a kernel, and its size.
     fn reflect(module: &naga::Module, name: &str) -> (Vec<(String, u32)>, u32) {
@@ -259,7 +258,7 @@ mod tests {
         let kernel = Kernel {
             pass: Pass::Trace(Precision::Fast),
             query: Query::Closest,
-            contents: Contents::Triangles,
+            kinds: [Kind::Triangle].into_iter().collect(),
             walk: Walk::Tree,
         };
         let (module, _) = kernel.link(lists).validate().expect("valid");

@@ -6,13 +6,14 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bytemuck::Pod;
-use rayproof_scene::{Hit, Precision, Ray};
+use rayproof_scene::{Hit, Kinds, Precision, Ray};
 use rayproof_tree::Bvh;
 
 use crate::Error;
 use crate::batch::Stream;
 use crate::gpu::Gpu;
-use crate::kernel::{Contents, Pass, Query, Walk, Width};
+use crate::kernel::{Pass, Query, Walk, Width};
+use crate::kinds::{self, List};
 use crate::pages::{Pages, check_bindings};
 use crate::second_stage::SecondStage;
 
@@ -63,7 +64,7 @@ impl Passes {
 
 /// The scene's lists, as every kernel of this scene binds them.
 pub(crate) struct OnDevice {
-    pub(crate) contents: Contents,
+    pub(crate) kinds: Kinds,
     /// WGSL: the accessors of the lists and the size of the stack.
     pub(crate) accessors: String,
     pub(crate) buffers: Vec<wgpu::Buffer>,
@@ -221,32 +222,22 @@ fn refused(what: &str) -> Error {
 
 impl OnDevice {
     fn new(gpu: &Gpu, bvh: &Bvh) -> Result<Self, Error> {
-        let contents = match (bvh.triangles.is_empty(), bvh.spheres.is_empty()) {
-            (_, true) => Contents::Triangles,
-            (true, false) => Contents::Spheres,
-            (false, false) => Contents::Both,
-        };
-        let mut lists: Vec<(&str, &str, &[u8], usize)> =
-            vec![("node_quad", "vec4<u32>", bytemuck::cast_slice(&bvh.nodes), 16)];
-        if contents.triangles() {
-            lists.push(("triangle_quad", "vec4<u32>", bytemuck::cast_slice(&bvh.triangles), 16));
-        }
-        if contents.spheres() {
-            lists.push(("sphere_quad", "vec4<u32>", bytemuck::cast_slice(&bvh.spheres), 16));
-            lists.push(("sphere_id", "u32", bytemuck::cast_slice(&bvh.sphere_ids), 4));
-        }
+        let kinds = bvh.kinds();
+        let nodes =
+            List { name: "node_quad", element: "vec4<u32>", stride: 16, bytes: bytemuck::cast_slice(&bvh.nodes) };
+        let lists = std::iter::once(nodes).chain(kinds.iter().flat_map(|kind| kinds::lists(kind, bvh)));
         // Three more than the tree needs: a push writes before it knows whether the entry stays; and the last entry. In
         // steps, so that scenes share kernels.
         let stack = (bvh.stack_depth + 4).next_multiple_of(32);
         let mut accessors = format!("const STACK_SIZE: u32 = {stack}u;\n");
         let mut buffers = Vec::new();
-        for (name, element, bytes, stride) in lists {
+        for List { name, element, stride, bytes } in lists {
             let pages = Pages::upload(gpu, name, bytes, stride);
             let _ = write!(accessors, "{}", pages.accessor(name, element, 4 + buffers.len()));
             buffers.extend(pages.buffers);
         }
         check_bindings(gpu, buffers.len() + 3)?;
         let (scale_exponent, size, nodes) = (bvh.scale_exponent, bvh.size, bvh.nodes.len());
-        Ok(Self { contents, accessors, buffers, nodes, scale_exponent, size, walk: Walk::Tree })
+        Ok(Self { kinds, accessors, buffers, nodes, scale_exponent, size, walk: Walk::Tree })
     }
 }

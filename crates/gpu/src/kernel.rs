@@ -1,38 +1,13 @@
 //! Which files make a kernel: a precision, a query and what the scene holds are each a choice of files.
 
-use rayproof_scene::Precision;
+use rayproof_scene::{Kind, Kinds, Precision};
 
+use crate::kinds;
 use crate::link::Linked;
 
-macro_rules! shaders {
-    ($linked:expr, $($path:literal),+ $(,)?) => {{
-        $($linked.add(concat!("shaders/", $path), include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../shaders/", $path)));)+
-    }};
-}
-pub(crate) use shaders;
-
-/// What a scene holds: a kernel knows of nothing else.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Contents {
-    /// Triangles only.
-    Triangles,
-    /// Spheres only.
-    Spheres,
-    /// Both.
-    Both,
-}
-
-impl Contents {
-    /// Every choice.
-    pub const ALL: [Self; 3] = [Self::Triangles, Self::Spheres, Self::Both];
-
-    pub(crate) const fn triangles(self) -> bool {
-        matches!(self, Self::Triangles | Self::Both)
-    }
-
-    pub(crate) const fn spheres(self) -> bool {
-        matches!(self, Self::Spheres | Self::Both)
-    }
+/// Adds files of `shaders/`.
+fn link(linked: &mut Linked, paths: &[&'static str]) {
+    paths.iter().for_each(|path| linked.add(path, rayproof_shaders::source(path)));
 }
 
 /// What is asked of each ray.
@@ -83,21 +58,16 @@ impl Width {
 
     pub(crate) fn link(self, linked: &mut Linked) {
         match self {
-            Self::Single => shaders!(
+            Self::Single => {
+                link(linked, &["exact/number/native.wgsl", "exact/number/single.wgsl", "exact/number/single_ieee.wgsl"])
+            }
+            Self::SingleByRule => link(
                 linked,
-                "exact/number/native.wgsl",
-                "exact/number/single.wgsl",
-                "exact/number/single_ieee.wgsl"
+                &["exact/number/native.wgsl", "exact/number/single.wgsl", "exact/number/single_by_rule.wgsl"],
             ),
-            Self::SingleByRule => shaders!(
-                linked,
-                "exact/number/native.wgsl",
-                "exact/number/single.wgsl",
-                "exact/number/single_by_rule.wgsl"
-            ),
-            Self::Double => shaders!(linked, "exact/number/native.wgsl", "exact/number/double.wgsl"),
-            Self::PairOfF32 => shaders!(linked, "exact/number/pair.wgsl", "exact/number/pair_of_f32.wgsl"),
-            Self::PairOfF64 => shaders!(linked, "exact/number/pair.wgsl", "exact/number/pair_of_f64.wgsl"),
+            Self::Double => link(linked, &["exact/number/native.wgsl", "exact/number/double.wgsl"]),
+            Self::PairOfF32 => link(linked, &["exact/number/pair.wgsl", "exact/number/pair_of_f32.wgsl"]),
+            Self::PairOfF64 => link(linked, &["exact/number/pair.wgsl", "exact/number/pair_of_f64.wgsl"]),
         }
     }
 }
@@ -153,8 +123,8 @@ pub struct Kernel {
     pub pass: Pass,
     /// The question.
     pub query: Query,
-    /// The scene's kinds of primitive.
-    pub contents: Contents,
+    /// The kinds of primitive in the scene: a kernel knows of no other.
+    pub kinds: Kinds,
     /// The leaves that are visited.
     pub walk: Walk,
 }
@@ -183,11 +153,12 @@ impl Kernel {
         }
     }
 
-    /// The kernel's text: its files, and `scene`, the accessors of the scene's lists and the size of the stack.
+    /// The kernel's text: its files, what hands on to each kind, and `scene`, the accessors of the scene's lists and the size of
+    /// the stack.
     #[must_use]
     pub fn link(&self, scene: &str) -> Linked {
         let mut linked = Linked::default();
-        shaders!(linked, "math.wgsl", "batch.wgsl", "bvh/slab.wgsl", "leaf/word.wgsl");
+        link(&mut linked, &["math.wgsl", "batch.wgsl", "bvh/slab.wgsl", "leaf/word.wgsl"]);
         match self.pass {
             Pass::Trace(precision) => self.link_trace(&mut linked, precision),
             Pass::First(width) | Pass::Second(width) | Pass::Round(width) | Pass::RoundRest(width) => {
@@ -195,31 +166,30 @@ impl Kernel {
                 self.link_exact(&mut linked);
             }
         }
-        if !self.pass.rounds() {
+        linked.add("(the host's bits of words)", &kinds::words(self.kinds));
+        if self.pass.rounds() {
+            linked.add("(the host's choice of a kind)", &kinds::rounding(self.kinds));
+        } else {
             match self.walk {
-                Walk::Tree => shaders!(linked, "bvh/traverse.wgsl"),
-                Walk::Every => shaders!(linked, "bvh/every.wgsl"),
+                Walk::Tree => link(&mut linked, &["bvh/traverse.wgsl"]),
+                Walk::Every => link(&mut linked, &["bvh/every.wgsl"]),
             }
-            match self.contents {
-                Contents::Triangles => shaders!(linked, "leaf/only_triangles.wgsl"),
-                Contents::Spheres => shaders!(linked, "leaf/only_spheres.wgsl"),
-                Contents::Both => shaders!(linked, "leaf/both.wgsl"),
-            }
+            linked.add("(the host's choice of a kind)", &kinds::leaves(self.kinds));
         }
         linked.add("(the host's accessors)", scene);
         linked
     }
 
     fn link_trace(&self, linked: &mut Linked, precision: Precision) {
-        shaders!(linked, "leaf/single.wgsl");
+        link(linked, &["leaf/single.wgsl"]);
         match self.query {
-            Query::Closest => shaders!(linked, "query/closest.wgsl"),
-            Query::Any | Query::Count => shaders!(linked, "query/any.wgsl"),
+            Query::Closest => link(linked, &["query/closest.wgsl"]),
+            Query::Any | Query::Count => link(linked, &["query/any.wgsl"]),
         }
         match precision {
-            Precision::Textbook | Precision::Classic => shaders!(linked, "classic/ray.wgsl"),
+            Precision::Textbook | Precision::Classic => link(linked, &["classic/ray.wgsl"]),
             Precision::Fast | Precision::Pair | Precision::Double | Precision::Exact => {
-                shaders!(linked, "fast/ray.wgsl")
+                link(linked, &["fast/ray.wgsl"])
             }
         }
         match precision {
@@ -228,80 +198,63 @@ impl Kernel {
             Precision::Textbook | Precision::Classic | Precision::Fast | Precision::Exact => {}
         }
         if matches!(precision, Precision::Pair | Precision::Double) {
-            shaders!(linked, "exact/vector.wgsl");
+            link(linked, &["exact/vector.wgsl"]);
         }
-        if self.contents.triangles() {
-            shaders!(linked, "leaf/triangles.wgsl");
-            match precision {
-                Precision::Textbook | Precision::Classic => shaders!(linked, "classic/triangle.wgsl"),
-                Precision::Pair | Precision::Double => shaders!(linked, "double/triangle.wgsl"),
-                Precision::Fast | Precision::Exact => shaders!(linked, "fast/triangle.wgsl"),
-            }
-        }
-        if self.contents.spheres() {
-            shaders!(linked, "leaf/spheres.wgsl");
-            match precision {
-                Precision::Textbook => shaders!(linked, "textbook/sphere.wgsl"),
-                Precision::Classic => shaders!(linked, "classic/sphere.wgsl"),
-                Precision::Pair | Precision::Double => shaders!(linked, "double/sphere.wgsl"),
-                Precision::Fast | Precision::Exact => shaders!(linked, "fast/sphere.wgsl"),
-            }
+        for kind in self.kinds.iter() {
+            link(linked, traced(kind, precision));
         }
     }
 
     fn link_exact(&self, linked: &mut Linked) {
-        shaders!(linked, "exact/vector.wgsl", "exact/line.wgsl", "exact/ray.wgsl", "exact/list.wgsl");
-        if self.contents.triangles() {
-            shaders!(linked, "exact/triangle.wgsl");
-        }
-        if self.contents.spheres() {
-            shaders!(linked, "exact/sphere.wgsl");
-        }
+        link(linked, &["exact/vector.wgsl", "exact/line.wgsl", "exact/ray.wgsl", "exact/list.wgsl"]);
         if self.pass.rounds() {
-            self.link_round(linked);
-            return;
+            link(linked, &["exact/round/value.wgsl", "exact/round/hit.wgsl"]);
+            self.kinds.iter().for_each(|kind| link(linked, rounded(kind)));
+            let pass =
+                if matches!(self.pass, Pass::Round(_)) { "exact/round/all.wgsl" } else { "exact/round/rest.wgsl" };
+            return link(linked, &[pass]);
         }
-        if self.contents.triangles() {
-            shaders!(linked, "exact/leaf/triangles.wgsl");
-        }
-        if self.contents.spheres() {
-            shaders!(linked, "exact/leaf/spheres.wgsl");
-            if self.query == Query::Count {
-                shaders!(linked, "exact/leaf/both_roots.wgsl");
-            } else {
-                shaders!(linked, "exact/leaf/first_root.wgsl");
-            }
-        }
-        shaders!(linked, "exact/leaf/candidate.wgsl");
+        self.kinds.iter().for_each(|kind| link(linked, certified(kind, self.query)));
+        link(linked, &["exact/leaf/candidate.wgsl"]);
         match self.query {
-            Query::Closest => shaders!(linked, "exact/query/closest.wgsl", "exact/leaf/nearest.wgsl"),
-            Query::Any => shaders!(linked, "exact/query/any.wgsl", "exact/leaf/nearest.wgsl"),
-            Query::Count => shaders!(linked, "exact/query/count.wgsl", "exact/leaf/crossings.wgsl"),
+            Query::Closest => link(linked, &["exact/query/closest.wgsl", "exact/leaf/nearest.wgsl"]),
+            Query::Any => link(linked, &["exact/query/any.wgsl", "exact/leaf/nearest.wgsl"]),
+            Query::Count => link(linked, &["exact/query/count.wgsl", "exact/leaf/crossings.wgsl"]),
         }
-        if matches!(self.pass, Pass::First(_)) {
-            shaders!(linked, "exact/query/first.wgsl");
-        } else {
-            shaders!(linked, "exact/query/second.wgsl");
+        let pass =
+            if matches!(self.pass, Pass::First(_)) { "exact/query/first.wgsl" } else { "exact/query/second.wgsl" };
+        link(linked, &[pass]);
+    }
+}
+
+/// What a precision other than `exact` makes of a kind.
+const fn traced(kind: Kind, precision: Precision) -> &'static [&'static str] {
+    match (kind, precision) {
+        (Kind::Triangle, Precision::Textbook | Precision::Classic) => &["leaf/triangles.wgsl", "classic/triangle.wgsl"],
+        (Kind::Triangle, Precision::Pair | Precision::Double) => &["leaf/triangles.wgsl", "double/triangle.wgsl"],
+        (Kind::Triangle, Precision::Fast | Precision::Exact) => &["leaf/triangles.wgsl", "fast/triangle.wgsl"],
+        (Kind::Sphere, Precision::Textbook) => &["leaf/spheres.wgsl", "textbook/sphere.wgsl"],
+        (Kind::Sphere, Precision::Classic) => &["leaf/spheres.wgsl", "classic/sphere.wgsl"],
+        (Kind::Sphere, Precision::Pair | Precision::Double) => &["leaf/spheres.wgsl", "double/sphere.wgsl"],
+        (Kind::Sphere, Precision::Fast | Precision::Exact) => &["leaf/spheres.wgsl", "fast/sphere.wgsl"],
+    }
+}
+
+/// What is certain of a kind.
+const fn certified(kind: Kind, query: Query) -> &'static [&'static str] {
+    match (kind, query) {
+        (Kind::Triangle, _) => &["exact/triangle.wgsl", "exact/leaf/triangles.wgsl"],
+        (Kind::Sphere, Query::Count) => &["exact/sphere.wgsl", "exact/leaf/spheres.wgsl", "exact/leaf/both_roots.wgsl"],
+        (Kind::Sphere, Query::Closest | Query::Any) => {
+            &["exact/sphere.wgsl", "exact/leaf/spheres.wgsl", "exact/leaf/first_root.wgsl"]
         }
     }
+}
 
-    fn link_round(&self, linked: &mut Linked) {
-        shaders!(linked, "exact/round/value.wgsl", "exact/round/hit.wgsl");
-        if self.contents.triangles() {
-            shaders!(linked, "exact/round/triangle.wgsl");
-        }
-        if self.contents.spheres() {
-            shaders!(linked, "exact/round/sphere.wgsl");
-        }
-        match self.contents {
-            Contents::Triangles => shaders!(linked, "exact/round/only_triangles.wgsl"),
-            Contents::Spheres => shaders!(linked, "exact/round/only_spheres.wgsl"),
-            Contents::Both => shaders!(linked, "exact/round/both.wgsl"),
-        }
-        if matches!(self.pass, Pass::Round(_)) {
-            shaders!(linked, "exact/round/all.wgsl");
-        } else {
-            shaders!(linked, "exact/round/rest.wgsl");
-        }
+/// The numbers of a kind's hit.
+const fn rounded(kind: Kind) -> &'static [&'static str] {
+    match kind {
+        Kind::Triangle => &["exact/triangle.wgsl", "exact/round/triangle.wgsl"],
+        Kind::Sphere => &["exact/sphere.wgsl", "exact/round/sphere.wgsl"],
     }
 }

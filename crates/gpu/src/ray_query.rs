@@ -179,7 +179,7 @@ fn tree(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh) -> Result<wgpu:
 }
 
 fn pipeline(device: &wgpu::Device) -> wgpu::ComputePipeline {
-    let source = wgpu::ShaderSource::Wgsl(include_str!("../../../shaders/ray_query.wgsl").into());
+    let source = wgpu::ShaderSource::Wgsl(rayproof_shaders::source("ray_query.wgsl").into());
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source });
     device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: None,

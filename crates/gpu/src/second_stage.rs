@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use crate::Error;
 use crate::fingerprint::Route;
 use crate::gpu::Gpu;
-use crate::kernel::{Width, shaders};
+use crate::kernel::Width;
 use crate::link::Linked;
 
 /// Pairs of numbers tried.
@@ -129,7 +129,7 @@ fn run(gpu: &Gpu, width: Width, rounds: u32) -> Result<Vec<Results>, Error> {
     use wgpu::BufferUsages as Usage;
     let mut linked = Linked::default();
     width.link(&mut linked);
-    shaders!(linked, "exact/number/trial.wgsl");
+    linked.add("exact/number/trial.wgsl", rayproof_shaders::source("exact/number/trial.wgsl"));
     let layout = gpu.layout(0);
     let pipeline = gpu.pipeline(&linked, "trial", &layout, Route::ExactSpirv)?;
     #[expect(clippy::cast_precision_loss, reason = "24 bits")]

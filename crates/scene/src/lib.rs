@@ -23,6 +23,7 @@
 
 mod camera;
 mod hit;
+mod kind;
 pub mod number;
 mod precision;
 mod ray;
@@ -32,6 +33,7 @@ mod triangle;
 
 pub use camera::{Camera, Pixels};
 pub use hit::{Hit, MISS, Undecided};
+pub use kind::{Kind, Kinds};
 pub use precision::{NotAPrecision, Precision};
 pub use ray::{Ray, RayFault};
 pub use scene::{Geometry, Mesh, Primitive, Scene};

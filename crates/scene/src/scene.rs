@@ -1,6 +1,6 @@
 use glam::Vec3;
 
-use crate::{Sphere, Triangle};
+use crate::{Kind, Sphere, Triangle};
 
 /// Triangles over shared vertices.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,6 +33,15 @@ pub enum Geometry {
 }
 
 impl Geometry {
+    /// What its primitives are.
+    #[must_use]
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Self::Mesh(_) => Kind::Triangle,
+            Self::Spheres(_) => Kind::Sphere,
+        }
+    }
+
     /// How many primitives it holds.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -56,6 +65,17 @@ pub enum Primitive {
     Triangle(Triangle),
     /// A sphere.
     Sphere(Sphere),
+}
+
+impl Primitive {
+    /// What it is.
+    #[must_use]
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Self::Triangle(_) => Kind::Triangle,
+            Self::Sphere(_) => Kind::Sphere,
+        }
+    }
 }
 
 impl From<Primitive> for Geometry {
@@ -109,16 +129,10 @@ impl Scene {
         self.len() == 0
     }
 
-    /// How many triangles there are.
+    /// How many primitives of a kind there are.
     #[must_use]
-    pub fn triangle_count(&self) -> usize {
-        self.geometries.iter().map(|g| if let Geometry::Mesh(m) = g { m.triangles.len() } else { 0 }).sum()
-    }
-
-    /// How many spheres there are.
-    #[must_use]
-    pub fn sphere_count(&self) -> usize {
-        self.len() - self.triangle_count()
+    pub fn count(&self, kind: Kind) -> usize {
+        self.geometries.iter().filter(|geometry| geometry.kind() == kind).map(Geometry::len).sum()
     }
 
     /// The `(geometry, primitive)` of a flat number.

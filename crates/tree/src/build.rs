@@ -5,10 +5,11 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ploc::{PlocSearchDistance, SortPrecision};
 use obvhs::{Boundable, BvhBuildParams};
 use rayon::prelude::*;
+use rayproof_scene::Kind;
 
 use crate::node::{Child, EMPTY, Node};
 use crate::pack::Packed;
-use crate::{Bvh, Originals, PackedTriangle};
+use crate::{Bvh, Originals};
 
 /// The most primitives a leaf holds: what two bits count.
 const LEAF_SIZE: u32 = 4;
@@ -18,7 +19,7 @@ const LEAF_SIZE: u32 = 4;
 enum Slot {
     /// A node of the binary tree.
     Binary(usize),
-    /// The triangles, or the spheres, of a leaf of the binary tree.
+    /// The primitives of one kind in a leaf of the binary tree.
     Leaf(Child),
 }
 
@@ -43,13 +44,12 @@ pub(crate) fn build(packed: Packed) -> Bvh {
         plain: packed.plain,
         originals: packed.originals.as_ref().map(|_| Originals::default()),
     };
-    if packed.triangles.is_empty() && packed.spheres.is_empty() {
+    if Kind::ALL.into_iter().all(|kind| packed.count(kind) == 0) {
         return Bvh { nodes: vec![Node::new(&[], [EMPTY; 4])], ..bvh };
     }
-    let triangles = packed.triangles.len();
-    let boxes: Vec<[Vec3; 2]> = (0..triangles + packed.spheres.len())
-        .into_par_iter()
-        .map(|i| if i < triangles { packed.triangle_box(i) } else { packed.sphere_box(i - triangles) })
+    let boxes: Vec<[Vec3; 2]> = Kind::ALL
+        .into_iter()
+        .flat_map(|kind| (0..packed.count(kind)).into_par_iter().map(|i| packed.bounds(kind, i)).collect::<Vec<_>>())
         .collect();
     let binary = binary_tree(&boxes, packed.size);
     let boxes = binary_boxes(&binary, &boxes);
@@ -185,56 +185,35 @@ impl Builder {
         (Slot::Binary(index), self.boxes[index])
     }
 
-    /// A binary leaf's triangles, and its spheres, each with their box. `first` still counts in the binary tree's order.
+    /// A binary leaf's primitives kind by kind, each with their box. `first` still counts in the binary tree's order.
     fn split_leaf(&mut self, first: usize, count: usize) -> Vec<(Slot, [Vec3; 2])> {
-        let triangles = self.packed.triangles.len();
         // Kinds apart, each in the order of flat numbers.
         self.binary.primitive_indices[first..first + count].sort_unstable();
         let ids = &self.binary.primitive_indices[first..first + count];
-        let of_triangles = ids.partition_point(|&id| (id as usize) < triangles);
-        let mut parts = Vec::with_capacity(2);
-        if of_triangles > 0 {
-            let b = union(ids[..of_triangles].iter().map(|&id| self.packed.triangle_box(id as usize)));
-            parts.push((Slot::Leaf(Child::Triangles { first, count: of_triangles }), b));
-        }
-        if of_triangles < count {
-            let b = union(ids[of_triangles..].iter().map(|&id| self.packed.sphere_box(id as usize - triangles)));
-            let (first, count) = (first + of_triangles, count - of_triangles);
-            parts.push((Slot::Leaf(Child::Spheres { first, count }), b));
+        let mut parts = Vec::with_capacity(Kind::ALL.len());
+        let mut at = 0;
+        for kind in Kind::ALL {
+            let start = self.packed.start(kind);
+            let end = ids.partition_point(|&id| (id as usize) < start + self.packed.count(kind));
+            if at < end {
+                let b = union(ids[at..end].iter().map(|&id| self.packed.bounds(kind, id as usize - start)));
+                parts.push((Slot::Leaf(Child::Leaf { kind, first: first + at, count: end - at }), b));
+                at = end;
+            }
         }
         parts
     }
 
     /// Puts a leaf's primitives next in order and names the leaf by where they went.
     fn emit(&mut self, leaf: Child) -> Child {
-        let ids = |first: usize, count: usize| &self.binary.primitive_indices[first..first + count];
-        match leaf {
-            Child::Triangles { first, count } => {
-                let at = self.bvh.triangles.len();
-                let packed: &[PackedTriangle] = &self.packed.triangles;
-                self.bvh.triangles.extend(ids(first, count).iter().map(|&id| packed[id as usize]));
-                if let (Some(to), Some(from)) = (&mut self.bvh.originals, &self.packed.originals) {
-                    to.triangles.extend(ids(first, count).iter().map(|&id| from.triangles[id as usize]));
-                }
-                Child::Triangles { first: at, count }
-            }
-            Child::Spheres { first, count } => {
-                let at = self.bvh.spheres.len();
-                for &id in ids(first, count) {
-                    let i = id as usize - self.packed.triangles.len();
-                    self.bvh.spheres.push(self.packed.spheres[i]);
-                    self.bvh.sphere_ids.push(self.packed.sphere_ids[i]);
-                    if let (Some(to), Some(from)) = (&mut self.bvh.originals, &self.packed.originals) {
-                        to.spheres.push(from.spheres[i]);
-                    }
-                }
-                Child::Spheres { first: at, count }
-            }
-            other => other,
+        let Child::Leaf { kind, first, count } = leaf else { return leaf };
+        let (at, start) = (self.bvh.count(kind), self.packed.start(kind));
+        for &id in &self.binary.primitive_indices[first..first + count] {
+            self.packed.hand_over(kind, id as usize - start, &mut self.bvh);
         }
+        Child::Leaf { kind, first: at, count }
     }
 }
 
 #[cfg(test)]
-#[path = "build_tests.rs"]
 mod tests;

@@ -1,4 +1,4 @@
-use rayproof_scene::{Precision, Scene, Sphere};
+use rayproof_scene::{Kind, Kinds, Precision, Scene, Sphere};
 
 use crate::{Node, Originals, PackedTriangle, build, node, pack};
 
@@ -54,20 +54,37 @@ impl Bvh {
     /// Builds the tree over all primitives, triangles and spheres together, on all cores.
     ///
     /// # Errors
-    /// When the scene has more than 2^28 - 1 triangles or spheres, or 2^32 - 1 primitives: what a child can name.
+    /// When the scene has more than 2^28 - 2 primitives of a kind, or 2^32 - 2 in all: what a child can name.
     pub fn new(scene: &Scene, scaling: Scaling) -> Result<Self, TooLarge> {
         let primitives = scene.len();
-        if scene.triangle_count().max(scene.sphere_count()) >= node::MAX_FIRST || primitives >= u32::MAX as usize {
+        let too_many = |kind| scene.count(kind) >= node::MAX_FIRST;
+        if primitives >= u32::MAX as usize || Kind::ALL.into_iter().any(too_many) {
             return Err(TooLarge { primitives });
         }
         let packed = pack::Packed::new(scene, scaling);
         Ok(build::build(packed))
     }
+
+    /// How many primitives of a kind the leaves hold.
+    #[must_use]
+    pub const fn count(&self, kind: Kind) -> usize {
+        match kind {
+            Kind::Triangle => self.triangles.len(),
+            Kind::Sphere => self.spheres.len(),
+        }
+    }
+
+    /// The kinds of primitive that the leaves hold; triangles where there is nothing at all.
+    #[must_use]
+    pub fn kinds(&self) -> Kinds {
+        let held: Kinds = Kind::ALL.into_iter().filter(|&kind| self.count(kind) > 0).collect();
+        if held == Kinds::default() { [Kind::Triangle].into_iter().collect() } else { held }
+    }
 }
 
 /// A scene with more primitives than a tree can number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the scene has {primitives} primitives; a tree can hold up to 268,435,454 triangles and as many spheres")]
+#[error("the scene has {primitives} primitives; a tree can hold up to 268,435,454 of a kind")]
 pub struct TooLarge {
     /// How many primitives the scene has.
     pub primitives: usize,

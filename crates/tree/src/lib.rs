@@ -13,5 +13,5 @@ mod node;
 mod pack;
 
 pub use bvh::{Bvh, Scaling, TooLarge};
-pub use node::{Child, EMPTY, Node};
+pub use node::{COUNT_SHIFT, Child, EMPTY, INDEX_MASK, KIND_MASK, KIND_SHIFT, LEAF, Node};
 pub use pack::{Originals, PackedTriangle};

@@ -1,16 +1,25 @@
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use rayproof_scene::Kind;
 
 /// The word of a child slot that holds nothing.
 pub const EMPTY: u32 = u32::MAX;
 
 /// One more than the largest index of a leaf's first primitive; below it, no leaf's word is [`EMPTY`].
-pub(crate) const MAX_FIRST: usize = (1 << 28) - 1;
+pub(crate) const MAX_FIRST: usize = INDEX_MASK as usize;
 
-const LEAF: u32 = 1 << 31;
-const SPHERES: u32 = 1 << 30;
-const COUNT_SHIFT: u32 = 28;
-const INDEX_MASK: u32 = (1 << COUNT_SHIFT) - 1;
+/// From this word on a leaf is named.
+pub const LEAF: u32 = 1 << 31;
+/// How many bits tell a leaf's kind, which stand below the highest.
+const KIND_BITS: u32 = usize::BITS - (Kind::ALL.len() - 1).leading_zeros();
+/// Where a leaf's kind stands in its word.
+pub const KIND_SHIFT: u32 = 31 - KIND_BITS;
+/// The kind, once it is shifted down.
+pub const KIND_MASK: u32 = (1 << KIND_BITS) - 1;
+/// Where the number of a leaf's primitives, less one, stands in its word.
+pub const COUNT_SHIFT: u32 = KIND_SHIFT - 2;
+/// The index of a leaf's first primitive.
+pub const INDEX_MASK: u32 = (1 << COUNT_SHIFT) - 1;
 
 /// The finest grid step, so that no decoded plane needs a subnormal.
 const MIN_STEP: f32 = f32::from_bits((127 - 100) << 23);
@@ -22,15 +31,10 @@ pub enum Child {
     Empty,
     /// The inner node of that index.
     Node(usize),
-    /// `count` (1 to 4) triangles from `first`.
-    Triangles {
-        /// The index of the first.
-        first: usize,
-        /// How many.
-        count: usize,
-    },
-    /// `count` (1 to 4) spheres from `first`.
-    Spheres {
+    /// `count` (1 to 4) primitives of a kind from `first`, an index among those of that kind.
+    Leaf {
+        /// Their kind.
+        kind: Kind,
         /// The index of the first.
         first: usize,
         /// How many.
@@ -39,19 +43,23 @@ pub enum Child {
 }
 
 impl Child {
-    /// The word that kernels read: bit 31 a leaf, bit 30 spheres, bits 28 and 29 the count less one, the rest an
-    /// index.
-    #[expect(clippy::cast_possible_truncation, reason = "Bvh::new bounds the number of primitives by 2^28 - 1")]
+    /// The word that kernels read: a leaf has its highest bit set, then come the kind, the count less one and the index
+    /// ([`KIND_SHIFT`], [`COUNT_SHIFT`], [`INDEX_MASK`]).
+    #[expect(clippy::cast_possible_truncation, reason = "Bvh::new bounds the number of primitives by INDEX_MASK")]
     pub const fn word(self) -> u32 {
         match self {
             Self::Empty => EMPTY,
             Self::Node(index) => index as u32,
-            Self::Triangles { first, count } => LEAF | ((count as u32 - 1) << COUNT_SHIFT) | first as u32,
-            Self::Spheres { first, count } => LEAF | SPHERES | ((count as u32 - 1) << COUNT_SHIFT) | first as u32,
+            Self::Leaf { kind, first, count } => {
+                LEAF | (kind as u32) << KIND_SHIFT | (count as u32 - 1) << COUNT_SHIFT | first as u32
+            }
         }
     }
 
     /// What a word names.
+    ///
+    /// # Panics
+    /// When it is no child's word.
     #[must_use]
     pub const fn from_word(word: u32) -> Self {
         if word == EMPTY {
@@ -62,7 +70,7 @@ impl Child {
         }
         let first = (word & INDEX_MASK) as usize;
         let count = ((word >> COUNT_SHIFT) & 3) as usize + 1;
-        if word & SPHERES == 0 { Self::Triangles { first, count } } else { Self::Spheres { first, count } }
+        Self::Leaf { kind: Kind::ALL[((word >> KIND_SHIFT) & KIND_MASK) as usize], first, count }
     }
 }
 
@@ -207,14 +215,9 @@ mod tests {
     #[test]
     fn words_read_back() {
         let last = MAX_FIRST - 1;
-        for child in [
-            Child::Empty,
-            Child::Node(0),
-            Child::Node(123_456),
-            Child::Triangles { first: 0, count: 1 },
-            Child::Triangles { first: last, count: 4 },
-            Child::Spheres { first: last, count: 4 },
-        ] {
+        let leaves = Kind::ALL
+            .map(|kind| [Child::Leaf { kind, first: 0, count: 1 }, Child::Leaf { kind, first: last, count: 4 }]);
+        for child in [Child::Empty, Child::Node(0), Child::Node(123_456)].into_iter().chain(leaves.concat()) {
             assert_eq!(Child::from_word(child.word()), child);
         }
     }

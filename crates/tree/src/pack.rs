@@ -3,9 +3,9 @@ use std::ops::BitOr as _;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-use rayproof_scene::{Geometry, Mesh, Scene, Sphere};
+use rayproof_scene::{Geometry, Kind, Mesh, Scene, Sphere};
 
-use crate::Scaling;
+use crate::{Bvh, Scaling};
 
 /// A triangle by value, with its flat number. 48 bytes, as on the device.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -61,9 +61,9 @@ impl Packed {
             Scaling::PowerOfTwo => scale_exponent(scene, NEAR),
         };
         let mut packed = Self {
-            triangles: Vec::with_capacity(scene.triangle_count()),
-            spheres: Vec::with_capacity(scene.sphere_count()),
-            sphere_ids: Vec::with_capacity(scene.sphere_count()),
+            triangles: Vec::with_capacity(scene.count(Kind::Triangle)),
+            spheres: Vec::with_capacity(scene.count(Kind::Sphere)),
+            sphere_ids: Vec::with_capacity(scene.count(Kind::Sphere)),
             scale_exponent,
             size: 0.0,
             plain: false,
@@ -129,18 +129,54 @@ impl Packed {
         triangles.chain(spheres).fold(0.0, f64::max)
     }
 
-    /// The box of triangle `i`: exact.
-    pub(crate) fn triangle_box(&self, i: usize) -> [Vec3; 2] {
-        let t = &self.triangles[i];
-        [t.a.min(t.b).min(t.c), t.a.max(t.b).max(t.c)]
+    /// How many primitives of a kind there are.
+    pub(crate) const fn count(&self, kind: Kind) -> usize {
+        match kind {
+            Kind::Triangle => self.triangles.len(),
+            Kind::Sphere => self.spheres.len(),
+        }
     }
 
-    /// The box of sphere `i`: `c - r` and `c + r`, one step outward of the nearest, so that no rounding shrinks it.
-    pub(crate) fn sphere_box(&self, i: usize) -> [Vec3; 2] {
-        let s = &self.spheres[i];
-        let low = (s.center - s.radius).to_array().map(f32::next_down);
-        let high = (s.center + s.radius).to_array().map(f32::next_up);
-        [Vec3::from(low).max(Vec3::MIN), Vec3::from(high).min(Vec3::MAX)]
+    /// The number of a kind's first primitive where the kinds are counted one after the other.
+    pub(crate) fn start(&self, kind: Kind) -> usize {
+        Kind::ALL.into_iter().take_while(|&before| before != kind).map(|before| self.count(before)).sum()
+    }
+
+    /// The box of primitive `i` of a kind: nothing of it is outside.
+    pub(crate) fn bounds(&self, kind: Kind, i: usize) -> [Vec3; 2] {
+        match kind {
+            Kind::Triangle => {
+                let t = &self.triangles[i];
+                [t.a.min(t.b).min(t.c), t.a.max(t.b).max(t.c)]
+            }
+            Kind::Sphere => {
+                // One step outward of the nearest, so that no rounding shrinks it.
+                let s = &self.spheres[i];
+                let low = (s.center - s.radius).to_array().map(f32::next_down);
+                let high = (s.center + s.radius).to_array().map(f32::next_up);
+                [Vec3::from(low).max(Vec3::MIN), Vec3::from(high).min(Vec3::MAX)]
+            }
+        }
+    }
+
+    /// Appends primitive `i` of a kind to those of a tree.
+    pub(crate) fn hand_over(&self, kind: Kind, i: usize, bvh: &mut Bvh) {
+        let originals = bvh.originals.as_mut().zip(self.originals.as_ref());
+        match kind {
+            Kind::Triangle => {
+                bvh.triangles.push(self.triangles[i]);
+                if let Some((to, from)) = originals {
+                    to.triangles.push(from.triangles[i]);
+                }
+            }
+            Kind::Sphere => {
+                bvh.spheres.push(self.spheres[i]);
+                bvh.sphere_ids.push(self.sphere_ids[i]);
+                if let Some((to, from)) = originals {
+                    to.spheres.push(from.spheres[i]);
+                }
+            }
+        }
     }
 }
 

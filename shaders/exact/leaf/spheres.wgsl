@@ -1,4 +1,4 @@
-// The spheres of a leaf. Bit 30 of a place tells a sphere from a triangle, as that of a leaf's word does.
+// The spheres of a leaf that are not certainly missed.
 fn intersect_spheres(ray: PreparedRay, word: u32, before: Found) -> Found {
     var found = before;
     let first = leaf_first(word);
@@ -7,7 +7,7 @@ fn intersect_spheres(ray: PreparedRay, word: u32, before: Found) -> Found {
         let sphere = bitcast<vec4<f32>>(sphere_quad(i));
         let c = chord(ray.line, v(sphere.xyz), n(sphere.w));
         if !c.misses {
-            found = take_chord(ray, c, SPHERES | i, found);
+            found = take_chord(ray, c, place_of(SPHERE, i), found);
         }
     }
     return found;

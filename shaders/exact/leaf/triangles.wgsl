@@ -16,7 +16,7 @@ fn intersect_triangles(ray: PreparedRay, word: u32, before: Found) -> Found {
         let s = sides(ray.line, triangle);
         if !triangle_misses(s) {
             let at = plane_t(ray.line, s, triangle.edge);
-            found = take(ray, candidate_of(at, triangle_crosses(s)), i, found);
+            found = take(ray, candidate_of(at, triangle_crosses(s)), place_of(TRIANGLE, i), found);
         }
     }
     return found;

@@ -14,7 +14,7 @@ fn two_sum(a: Part, b: Part) -> N {
     return N(high, (a - (high - part)) + (b - part));
 }
 
-// The same where |a| >= |b| or a = 0.
+// a + b and what rounding lost, where |a| >= |b| or a = 0.
 fn quick_two_sum(a: Part, b: Part) -> N {
     let high = a + b;
     return N(high, b - (high - a));

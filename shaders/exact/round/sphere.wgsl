@@ -1,6 +1,6 @@
 // t of a sphere's hit.
-fn sphere_values(ray: PreparedRay, slot: u32) -> Values {
-    let sphere = bitcast<vec4<f32>>(sphere_quad(slot));
+fn sphere_values(ray: PreparedRay, index: u32) -> Values {
+    let sphere = bitcast<vec4<f32>>(sphere_quad(index));
     let c = chord(ray.line, v(sphere.xyz), n(sphere.w));
     let near = sub(c.middle, c.half);
     // The near root, or the far one where the near one lies before the range.

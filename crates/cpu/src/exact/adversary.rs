@@ -4,7 +4,7 @@
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Sub};
 
-use crate::number::Number;
+use crate::twin::exact::number::Number;
 
 /// Which way results are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -214,7 +214,9 @@ impl Number for Adverse {
     fn equal(self, other: Self) -> bool {
         flushed(self.value) == flushed(other.value)
     }
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
+    fn pick(no: Self, yes: Self, mask: bool) -> Self {
         if mask { yes } else { no }
     }
 }
+
+mod tests;

@@ -14,13 +14,14 @@
 use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use num_bigint::BigInt;
+use rayproof_scene::Kind;
 
 use super::ring::{Narrow, Ring};
-use crate::number::Vector;
+use crate::twin::exact::vector::Vector;
 
-/// A ray; every number is an `f32` times one power of two.
+/// A ray in `f64`, exact: every number is an `f32` times one power of two.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ray {
+pub(crate) struct ExactRay {
     pub(crate) origin: [f64; 3],
     pub(crate) direction: [f64; 3],
     /// May be infinite.
@@ -35,18 +36,27 @@ pub(crate) enum Shape {
     Sphere { center: [f64; 3], radius: f64 },
 }
 
+impl Shape {
+    pub(crate) const fn kind(&self) -> Kind {
+        match self {
+            Self::Triangle(_) => Kind::Triangle,
+            Self::Sphere { .. } => Kind::Sphere,
+        }
+    }
+}
+
 /// Whether the closed primitive is hit in range.
-pub(crate) fn is_hit(ray: &Ray, shape: &Shape) -> bool {
+pub(crate) fn is_hit(ray: &ExactRay, shape: &Shape) -> bool {
     exactly(|| first::<Narrow>(ray, shape).map(|f| f.is_some()), || first::<BigInt>(ray, shape).map(|f| f.is_some()))
 }
 
 /// How many times the surface is crossed in range, by the tie rule; a tangent of a sphere counts twice.
-pub(crate) fn crossings(ray: &Ray, shape: &Shape) -> u32 {
+pub(crate) fn crossings(ray: &ExactRay, shape: &Shape) -> u32 {
     exactly(|| count::<Narrow>(ray, shape), || count::<BigInt>(ray, shape))
 }
 
 /// Which of two primitives, both hit in range, is hit first; `Equal` for one `t`.
-pub(crate) fn compare(ray: &Ray, a: &Shape, b: &Shape) -> Ordering {
+pub(crate) fn compare(ray: &ExactRay, a: &Shape, b: &Shape) -> Ordering {
     if a == b {
         return Equal;
     }
@@ -54,7 +64,7 @@ pub(crate) fn compare(ray: &Ray, a: &Shape, b: &Shape) -> Ordering {
 }
 
 /// `t 2^exponent`, `u` and `v` of a primitive that is hit in range, each rounded to the nearest; `guess` is where to look first.
-pub(crate) fn rounded(ray: &Ray, shape: &Shape, exponent: i32, guess: [f32; 3]) -> [f32; 3] {
+pub(crate) fn rounded(ray: &ExactRay, shape: &Shape, exponent: i32, guess: [f32; 3]) -> [f32; 3] {
     exactly(|| round_all::<Narrow>(ray, shape, exponent, guess), || round_all::<BigInt>(ray, shape, exponent, guess))
 }
 
@@ -109,7 +119,7 @@ fn cross<R: Ring>(a: &Point<R>, b: &Point<R>) -> Point<R> {
 }
 
 /// A line and the units that make its numbers, and those of the shapes it meets, whole.
-struct Line<R> {
+struct WholeLine<R> {
     e: Point<R>,
     d: Point<R>,
     position: i32,
@@ -117,8 +127,8 @@ struct Line<R> {
     scale: i32,
 }
 
-impl<R: Ring> Line<R> {
-    fn new(ray: &Ray, shapes: &[&Shape]) -> Self {
+impl<R: Ring> WholeLine<R> {
+    fn new(ray: &ExactRay, shapes: &[&Shape]) -> Self {
         let positions = shapes.iter().flat_map(|shape| match **shape {
             Shape::Triangle([a, b, c]) => a.into_iter().chain(b).chain(c).collect::<Vec<f64>>(),
             Shape::Sphere { center: [x, y, z], radius } => vec![x, y, z, radius],
@@ -175,7 +185,7 @@ impl<R: Ring> Root<R> {
         sign_of(&a, self.sign, &self.radicand.shifted(2 * down))
     }
 
-    fn is_within(&self, ray: &Ray) -> Option<bool> {
+    fn is_within(&self, ray: &ExactRay) -> Option<bool> {
         Some(self.compare_number(ray.t_min)? != Less && self.compare_number(ray.t_max)? != Greater)
     }
 
@@ -274,7 +284,7 @@ struct Plane<R> {
 }
 
 impl<R: Ring> Plane<R> {
-    fn new(line: &Line<R>, corners: &[[f64; 3]; 3]) -> Self {
+    fn new(line: &WholeLine<R>, corners: &[[f64; 3]; 3]) -> Self {
         let [a, b, c] = corners.map(|v| point(v, line.position));
         let (p, e1, e2) = (sub(&a, &line.e), sub(&a, &b), sub(&c, &a));
         let (n, r) = (cross(&e2, &e1), cross(&p, &line.d));
@@ -282,7 +292,7 @@ impl<R: Ring> Plane<R> {
     }
 
     /// Where the closed triangle is hit.
-    fn root(self, line: &Line<R>) -> Option<Option<Root<R>>> {
+    fn root(self, line: &WholeLine<R>) -> Option<Option<Root<R>>> {
         let w = self.determinant.sub(&self.u).sub(&self.v);
         let side = self.determinant.sign()?;
         if side == Equal {
@@ -298,7 +308,7 @@ impl<R: Ring> Plane<R> {
 }
 
 /// Both roots of a sphere, the near one first; one for a tangent.
-fn sphere_roots<R: Ring>(line: &Line<R>, center: [f64; 3], radius: f64) -> Option<Vec<Root<R>>> {
+fn sphere_roots<R: Ring>(line: &WholeLine<R>, center: [f64; 3], radius: f64) -> Option<Vec<Root<R>>> {
     let o = sub(&line.e, &point(center, line.position));
     let r: R = whole(radius, line.position);
     let (a, b) = (dot(&line.d, &line.d), dot(&line.d, &o));
@@ -319,7 +329,7 @@ fn sphere_roots<R: Ring>(line: &Line<R>, center: [f64; 3], radius: f64) -> Optio
 }
 
 /// Where a shape is first hit in range.
-fn first_on<R: Ring>(line: &Line<R>, ray: &Ray, shape: &Shape) -> Option<Option<Root<R>>> {
+fn first_on<R: Ring>(line: &WholeLine<R>, ray: &ExactRay, shape: &Shape) -> Option<Option<Root<R>>> {
     let roots = match shape {
         Shape::Triangle(corners) => Plane::new(line, corners).root(line)?.into_iter().collect(),
         Shape::Sphere { center, radius } => sphere_roots(line, *center, *radius)?,
@@ -332,12 +342,12 @@ fn first_on<R: Ring>(line: &Line<R>, ray: &Ray, shape: &Shape) -> Option<Option<
     Some(None)
 }
 
-fn first<R: Ring>(ray: &Ray, shape: &Shape) -> Option<Option<Root<R>>> {
-    first_on(&Line::new(ray, &[shape]), ray, shape)
+fn first<R: Ring>(ray: &ExactRay, shape: &Shape) -> Option<Option<Root<R>>> {
+    first_on(&WholeLine::new(ray, &[shape]), ray, shape)
 }
 
-fn order<R: Ring>(ray: &Ray, a: &Shape, b: &Shape) -> Option<Ordering> {
-    let line: Line<R> = Line::new(ray, &[a, b]);
+fn order<R: Ring>(ray: &ExactRay, a: &Shape, b: &Shape) -> Option<Ordering> {
+    let line: WholeLine<R> = WholeLine::new(ray, &[a, b]);
     match (first_on(&line, ray, a)?, first_on(&line, ray, b)?) {
         (Some(a), Some(b)) => a.compare(&b),
         // Both are hit, by the caller's word.
@@ -345,8 +355,8 @@ fn order<R: Ring>(ray: &Ray, a: &Shape, b: &Shape) -> Option<Ordering> {
     }
 }
 
-fn count<R: Ring>(ray: &Ray, shape: &Shape) -> Option<u32> {
-    let line: Line<R> = Line::new(ray, &[shape]);
+fn count<R: Ring>(ray: &ExactRay, shape: &Shape) -> Option<u32> {
+    let line: WholeLine<R> = WholeLine::new(ray, &[shape]);
     match shape {
         Shape::Triangle(corners) => {
             if !is_crossed(&line, ray, corners)? {
@@ -367,7 +377,7 @@ fn count<R: Ring>(ray: &Ray, shape: &Shape) -> Option<u32> {
 }
 
 /// Whether the shifted line crosses a triangle.
-fn is_crossed<R: Ring>(line: &Line<R>, ray: &Ray, corners: &[[f64; 3]; 3]) -> Option<bool> {
+fn is_crossed<R: Ring>(line: &WholeLine<R>, ray: &ExactRay, corners: &[[f64; 3]; 3]) -> Option<bool> {
     let [x, y, z] = ray.direction.map(f64::abs);
     let axis = if x >= y && x >= z {
         0
@@ -389,18 +399,21 @@ fn is_crossed<R: Ring>(line: &Line<R>, ray: &Ray, corners: &[[f64; 3]; 3]) -> Op
     Some(ab != Equal && ab == side(&b, &c)? && ab == side(&c, &a)?)
 }
 
-fn round_all<R: Ring>(ray: &Ray, shape: &Shape, exponent: i32, guess: [f32; 3]) -> Option<[f32; 3]> {
-    let line: Line<R> = Line::new(ray, &[shape]);
+fn round_all<R: Ring>(ray: &ExactRay, shape: &Shape, exponent: i32, guess: [f32; 3]) -> Option<[f32; 3]> {
+    let line: WholeLine<R> = WholeLine::new(ray, &[shape]);
     let mut t = first_on(&line, ray, shape)??;
     t.scale += exponent;
     let t = t.nearest(guess[0])?;
-    let Shape::Triangle(corners) = shape else { return Some([t, 0.0, 0.0]) };
-    let Plane { u, v, determinant, .. } = Plane::new(&line, corners);
-    let u = Root::quotient(u, determinant.clone(), 0)?.nearest(guess[1])?;
-    let v = Root::quotient(v, determinant, 0)?.nearest(guess[2])?;
-    Some([t, u, v])
+    match shape {
+        Shape::Triangle(corners) => {
+            let Plane { u, v, determinant, .. } = Plane::new(&line, corners);
+            let u = Root::quotient(u, determinant.clone(), 0)?.nearest(guess[1])?;
+            let v = Root::quotient(v, determinant, 0)?.nearest(guess[2])?;
+            Some([t, u, v])
+        }
+        Shape::Sphere { .. } => Some([t, 0.0, 0.0]),
+    }
 }
 
 #[cfg(test)]
-#[path = "resolve_tests.rs"]
 mod tests;

@@ -1,5 +1,6 @@
-//! The second stage: the certificates of the first in `f64`, for every finite ray; what they leave open is decided on the spot, in sums of two `f64` and at last exactly. On a device this is the pass of
-//! `shaders/exact/query/second.wgsl`, which leaves it to the CPU.
+//! The second stage: the certificates of the first in `f64`, for every finite ray; what they leave open is decided on the spot,
+//! in sums of two `f64` and at last exactly. On a device this is the pass of `shaders/exact/query/second.wgsl`, which leaves it
+//! to the CPU.
 //!
 //! Positions are those of the scaled scene, the direction is as given: `t' = t 2^m`. No product over- or underflows: positions
 //! lie below `2^260`, directions below `2^128`, and what is not zero is above `2^-150` each; no product has more than five
@@ -7,48 +8,47 @@
 
 use std::cmp::Ordering;
 
-use rayproof_scene::{MISS, Ray};
+use rayproof_scene::{Kind, MISS, Ray};
+use rayproof_tree::LEAF;
 
-use super::candidate::Candidate;
-use super::line::Line;
-use super::resolve::{self, Shape};
-use super::triangle::Estimate;
-use super::two::{self, Two};
+use super::resolve::{self, ExactRay, Shape};
 use super::wide::Wide;
-use super::{sphere, triangle};
-use crate::bvh::slab::UnpackedNode;
-use crate::bvh::traverse::Found;
 use crate::lanes::Corners;
-use crate::leaf::{SPHERES, leaf_range};
-use crate::number::Vector;
 use crate::primitives::Primitives;
-
-/// What rounding to nearest loses at most, relative to the result.
-const ROUNDOFF: f32 = f32::from_bits((127 - 53) << 23);
-
-const LEAF: u32 = 1 << 31;
+use crate::twin::bvh::slab::UnpackedNode;
+use crate::twin::bvh::traverse::Found;
+use crate::twin::exact::leaf::both_roots::both_roots;
+use crate::twin::exact::leaf::candidate::{Candidate, candidate_at};
+use crate::twin::exact::leaf::first_root::first_root;
+use crate::twin::exact::line::{Line, takes_chords};
+use crate::twin::exact::number::pair::Two;
+use crate::twin::exact::number::{double, pair_of_f64};
+use crate::twin::exact::sphere::chord;
+use crate::twin::exact::triangle::{Estimate, plane_t, sides, triangle_crosses, triangle_misses};
+use crate::twin::exact::vector::Vector;
+use crate::twin::leaf::word::{leaf_count, leaf_first, leaf_kind, place_of};
 
 /// A ray in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SecondRay {
-    pub(crate) exact: resolve::Ray,
+    pub(crate) exact: ExactRay,
     pub(crate) line: Line<f64>,
 }
 
 impl SecondRay {
-    /// `scale` is what the scene was multiplied by; `spheres` tells whether one may be asked about.
+    /// `scale` is what the scene was multiplied by; `chords` tells whether a kind may be asked about that takes them.
     #[inline(always)]
-    pub(crate) fn new(ray: &Ray, scale: f64, spheres: bool) -> Self {
+    pub(crate) fn new(ray: &Ray, scale: f64, chords: bool) -> Self {
         let origin = ray.origin.as_dvec3() * scale;
         let direction = ray.direction.as_dvec3();
-        let exact = resolve::Ray {
+        let exact = ExactRay {
             origin: origin.to_array(),
             direction: direction.to_array(),
             t_min: f64::from(ray.t_min) * scale,
             t_max: f64::from(ray.t_max) * scale,
         };
         let (origin, direction) = (Vector::from(exact.origin), Vector::from(exact.direction));
-        Self { exact, line: Line::new(ROUNDOFF, origin, direction, [0.0; 2], spheres) }
+        Self { exact, line: Line::new(double::UNIT, origin, direction, [0.0; 2], chords) }
     }
 }
 
@@ -65,18 +65,18 @@ impl<N: Wide> Asked<'_, N> {
         match *shape {
             Shape::Triangle(corners) => {
                 let corners = Corners::widened(corners);
-                let sides = triangle::sides(self.line, &corners);
-                if triangle::misses(&sides) {
+                let s = sides(self.line, &corners);
+                if triangle_misses(&s) {
                     return None;
                 }
-                let Estimate { clear, value, off } = triangle::plane_t(self.line, &sides, corners.edge);
+                let Estimate { clear, value, off } = plane_t(self.line, &s, corners.edge);
                 let open = Candidate { certain: false, low: N::of(f64::NEG_INFINITY), high: N::of(f64::INFINITY) };
-                let certain = triangle::crosses(&sides);
-                Some(if clear { Candidate { certain, ..Candidate::at(value, off) } } else { open })
+                let certain = triangle_crosses(&s);
+                Some(if clear { Candidate { certain, ..candidate_at(value, off) } } else { open })
             }
             Shape::Sphere { center, radius } => {
-                let chord = sphere::chord(self.line, Vector::from(center).map(N::of), N::of(radius));
-                (!chord.misses).then(|| Candidate::first_root(&chord, self.t_min))
+                let c = chord(self.line, Vector::from(center).map(N::of), N::of(radius));
+                (!c.misses).then(|| first_root(&c, self.t_min))
             }
         }
     }
@@ -90,11 +90,11 @@ impl<N: Wide> Asked<'_, N> {
         match *shape {
             Shape::Triangle(_) => self.candidate(shape).as_ref().map_or(Some(0), certain),
             Shape::Sphere { center, radius } => {
-                let chord = sphere::chord(self.line, Vector::from(center).map(N::of), N::of(radius));
-                if chord.misses {
+                let c = chord(self.line, Vector::from(center).map(N::of), N::of(radius));
+                if c.misses {
                     return Some(0);
                 }
-                Candidate::both_roots(&chord).iter().map(certain).sum()
+                both_roots(&c).iter().map(certain).sum()
             }
         }
     }
@@ -108,8 +108,7 @@ impl SecondRay {
     /// The line in sums of two `f64`, for one shape.
     pub(crate) fn twice(&self, shape: &Shape) -> Line<Two> {
         let (origin, direction) = (self.line.origin.map(Two::from), self.line.direction.map(Two::from));
-        let spheres = matches!(shape, Shape::Sphere { .. });
-        Line::new(two::ROUNDOFF, origin, direction, [Two::from(0.0); 2], spheres)
+        Line::new(pair_of_f64::UNIT, origin, direction, [Two::from(0.0); 2], takes_chords(shape.kind()))
     }
 
     /// Where a primitive is hit that `f64` left open; `None` for a miss.
@@ -153,7 +152,7 @@ struct Winner {
 
 /// The closest hit so far, or the first found where `ANY`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Nearest<const ANY: bool> {
+pub(crate) struct SecondNearest<const ANY: bool> {
     winner: Option<Winner>,
     /// Beyond this nothing is of interest, in the units of the first stage; and what turns `t'` into those.
     limit: f32,
@@ -162,7 +161,7 @@ pub(crate) struct Nearest<const ANY: bool> {
     pub(crate) doubts: u32,
 }
 
-impl<const ANY: bool> Nearest<ANY> {
+impl<const ANY: bool> SecondNearest<ANY> {
     /// Before the first leaf.
     pub(crate) fn start(limit: f32, to_first: f64) -> Self {
         Self { winner: None, limit, to_first, doubts: 0 }
@@ -213,7 +212,7 @@ impl<const ANY: bool> Nearest<ANY> {
     }
 }
 
-impl<const ANY: bool> Found for Nearest<ANY> {
+impl<const ANY: bool> Found for SecondNearest<ANY> {
     #[expect(clippy::cast_possible_truncation, reason = "one step up from the nearest")]
     fn reach(&self) -> f32 {
         self.winner.map_or(self.limit, |w| ((w.high * self.to_first) as f32).next_up())
@@ -250,12 +249,13 @@ pub(crate) fn count(nodes: &[UnpackedNode], primitives: &Primitives, ray: &Secon
 }
 
 /// The places of a leaf's primitives.
-#[expect(clippy::cast_possible_truncation, reason = "a leaf's word names it in 28 bits")]
 fn slots(word: u32) -> impl Iterator<Item = u32> {
-    let range = leaf_range(word);
-    let (first, count) = (range.start as u32, range.len() as u32);
-    let first = if word & SPHERES == 0 { first * 4 } else { SPHERES | first };
-    first..first + count
+    let kind = leaf_kind(word);
+    let first = match kind {
+        Kind::Triangle => leaf_first(word) * 4,
+        Kind::Sphere => leaf_first(word),
+    };
+    (first..first + leaf_count(word)).map(move |index| place_of(kind, index))
 }
 
 /// Calls `leaf` with the words of the leaves whose boxes the ray meets, roughly from near to far; it returns beyond which `t'`
@@ -292,7 +292,7 @@ fn walk(nodes: &[UnpackedNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f6
 }
 
 /// Where a box is entered, at the earliest; `None` where it is missed.
-fn entered(ray: &resolve::Ray, inverse: [f64; 3], [low, high]: [[f32; 3]; 2], reach: f64) -> Option<f64> {
+fn entered(ray: &ExactRay, inverse: [f64; 3], [low, high]: [[f32; 3]; 2], reach: f64) -> Option<f64> {
     const GROW: f64 = 1.0 / (1_u128 << 74) as f64 / (1_u128 << 74) as f64;
     const PAD: f64 = 1.0 / (1_u64 << 50) as f64;
     let (mut enter, mut leave) = (ray.t_min, reach);

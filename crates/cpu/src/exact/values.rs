@@ -2,15 +2,16 @@
 //!
 //! A value `q` known within `off` rounds as the exact one does where `q - off` and `q + off` round alike.
 
-use super::candidate::Candidate;
-use super::line::Line;
 use super::resolve::{self, Shape};
 use super::second::SecondRay;
-use super::triangle::Estimate;
 use super::wide::Wide;
-use super::{sphere, triangle};
 use crate::lanes::Corners;
-use crate::number::Vector;
+use crate::twin::exact::leaf::candidate::Candidate;
+use crate::twin::exact::leaf::first_root::first_root;
+use crate::twin::exact::line::Line;
+use crate::twin::exact::sphere::chord;
+use crate::twin::exact::triangle::{Estimate, plane_t, quotient, sides};
+use crate::twin::exact::vector::Vector;
 
 /// `2^n`, well within the range of `f64`.
 #[inline(always)]
@@ -40,14 +41,14 @@ fn rounded<N: Wide>(line: &Line<N>, t_min: N, shape: &Shape, inverse: f64) -> Op
     match *shape {
         Shape::Triangle([a, b, c]) => {
             let corners = Corners::widened([a, b, c]);
-            let sides = triangle::sides(line, &corners);
-            let t = triangle::plane_t(line, &sides, corners.edge);
-            let [u, v] = [sides.u, sides.v].map(|x| triangle::quotient(line, &sides, x, sides.bound));
+            let s = sides(line, &corners);
+            let t = plane_t(line, &s, corners.edge);
+            let [u, v] = [s.u, s.v].map(|x| quotient(line, &s, x, s.bound));
             t.clear.then_some([settled(t, inverse)?, settled(u, 1.0)?, settled(v, 1.0)?])
         }
         Shape::Sphere { center, radius } => {
-            let chord = sphere::chord(line, Vector::from(center).map(N::of), N::of(radius));
-            let Candidate { certain, low, high } = Candidate::first_root(&chord, t_min);
+            let c = chord(line, Vector::from(center).map(N::of), N::of(radius));
+            let Candidate { certain, low, high } = first_root(&c, t_min);
             let (low, high) = (low.nearest(inverse), high.nearest(inverse));
             (certain && low == high).then_some([low, 0.0, 0.0])
         }

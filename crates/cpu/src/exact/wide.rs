@@ -1,8 +1,9 @@
 //! Formats wider than `f32`.
 
-use super::two::Two;
 use crate::lanes::Corners;
-use crate::number::{Number, Vector};
+use crate::twin::exact::number::Number;
+use crate::twin::exact::number::pair::Two;
+use crate::twin::exact::vector::Vector;
 
 /// A format wider than `f32`.
 pub(crate) trait Wide: Number<Mask = bool> + PartialOrd {

@@ -6,7 +6,6 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::Error;
 use crate::gpu::Gpu;
-use crate::kernel::shaders;
 use crate::link::Linked;
 
 /// How a kernel reaches the driver.
@@ -210,7 +209,7 @@ fn pairs() -> Vec<[f32; 2]> {
 fn run(gpu: &Gpu, route: Route, pairs: &[[f32; 2]]) -> Result<Vec<Results>, Error> {
     use wgpu::BufferUsages as Usage;
     let mut linked = Linked::default();
-    shaders!(linked, "fingerprint.wgsl");
+    linked.add("fingerprint.wgsl", rayproof_shaders::source("fingerprint.wgsl"));
     let layout = gpu.layout(0);
     let pipeline = gpu.pipeline(&linked, "fingerprint", &layout, route)?;
     let count = u32::try_from(pairs.len()).unwrap_or(u32::MAX);

@@ -1,7 +1,7 @@
 //! Whole scenes: millions of rays a second, and the errors of a sample of the same rays.
 
 use glam::{DVec3, Vec3};
-use rayproof::scene::{Camera, Geometry, Hit, Primitive, Ray, Scene, Sphere};
+use rayproof::scene::{Camera, Geometry, Hit, Kind, Primitive, Ray, Scene, Sphere};
 use rayproof::{Device, DeviceChoice, Intersector, Precision};
 use rayproof_oracle::families::{Draw, meshes};
 
@@ -74,11 +74,11 @@ pub(crate) fn measure(
 fn builds(run: &Run<'_>, scene: &Scene) -> Result<Vec<Vec<f64>>, Error> {
     let once = |subject: Subject| Ok(run.bench.ready(subject, scene, Walk::Tree)?.build_seconds());
     let several = |&subject: &Subject| (0..BUILDS).map(|_| once(subject)).collect();
-    run.bench.subjects_on(scene.sphere_count() > 0).iter().map(several).collect()
+    run.bench.subjects_on(scene.count(Kind::Sphere) > 0).iter().map(several).collect()
 }
 
 fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) -> Result<Vec<SceneEntry>, Error> {
-    let subjects = run.bench.subjects_on(scene.sphere_count() > 0);
+    let subjects = run.bench.subjects_on(scene.count(Kind::Sphere) > 0);
     let mut ready = subjects
         .iter()
         .map(|&s| run.bench.ready(s, scene, Walk::Tree))

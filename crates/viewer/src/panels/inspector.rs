@@ -180,8 +180,7 @@ fn chooser(app: &mut App, ui: &mut Ui, inspection: &Inspection, picked: &Picked)
 fn primitive(ui: &mut Ui, scene: &Scene, flat: u32) {
     let (geometry, row) = scene.locate(flat as usize);
     let shape = scene.primitive(flat as usize);
-    let kind = if matches!(shape, Primitive::Sphere(_)) { "Sphere" } else { "Triangle" };
-    strong(ui, &format!("{kind} {row} of geometry {geometry}"));
+    strong(ui, &format!("The {} {row} of geometry {geometry}", shape.kind().name()));
     Grid::new("primitive").num_columns(3).striped(true).show(ui, |ui| match shape {
         Primitive::Sphere(sphere) => {
             vector(ui, "center c", sphere.center);

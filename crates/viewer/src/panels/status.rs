@@ -2,6 +2,7 @@
 
 use egui::{ProgressBar, RichText, Sides, Spinner, Ui};
 use rayproof::Precision;
+use rayproof::scene::Kind;
 
 use super::words::counted;
 use crate::app::App;
@@ -26,10 +27,9 @@ pub(super) fn show(app: &App, ui: &mut Ui) {
             }
             doing(ui, &progress, size);
             let scene = &app.world.scene;
-            let (triangles, spheres) = (scene.triangle_count(), scene.sphere_count());
             ui.separator();
             ui.label(RichText::new(&app.world.name).strong());
-            ui.label(format!("{}, {}", counted(triangles, "triangle"), counted(spheres, "sphere")));
+            ui.label(Kind::ALL.map(|kind| counted(scene.count(kind), kind.name())).join(", "));
         },
         |ui| device(app, ui),
     );

@@ -30,7 +30,7 @@ fn a_dropped_file_is_opened() {
     let mut viewer = viewer(None, look(Mode::Primitive));
     let before = pixels(&viewer);
     drop_file(&mut viewer, sample());
-    assert_eq!(viewer.state().world.scene.triangle_count(), 12_800);
+    assert_eq!(viewer.state().world.scene.count(rayproof::scene::Kind::Triangle), 12_800);
     assert!(viewer.query_by_label_contains("12,800 triangles, 8 spheres").is_some());
     assert_ne!(pixels(&viewer), before);
 }

@@ -1,4 +1,0 @@
-//! Twins of `shaders/bvh/`.
-
-pub(crate) mod slab;
-pub(crate) mod traverse;

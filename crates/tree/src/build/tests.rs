@@ -1,0 +1,96 @@
+//! Every primitive is found once, inside the boxes above it.
+
+use rayproof_scene::{Geometry, Mesh, Scene, Sphere};
+
+use super::*;
+use crate::Scaling;
+
+/// A scene of both kinds, from a fixed linear congruence, with duplicates and one far larger than the rest.
+fn scene(triangles: usize, spheres: usize) -> Scene {
+    let mut state = 11_u64;
+    let mut x = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f32 / 16_777_216.0
+    };
+    let mut mesh = Mesh::default();
+    for i in 0..triangles {
+        let at = Vec3::new(x(), x(), x()) * if i % 5 == 0 { 0.0 } else { 10.0 };
+        let base = u32::try_from(mesh.vertices.len()).expect("few");
+        mesh.vertices.extend([at, at + Vec3::new(x(), x(), 0.0), at + Vec3::new(0.0, x(), x())]);
+        mesh.triangles.push([base, base + 1, base + 2]);
+    }
+    let mut balls: Vec<Sphere> =
+        (0..spheres).map(|_| Sphere { center: Vec3::new(x(), x(), x()) * 10.0, radius: x() * 0.1 }).collect();
+    if let Some(ball) = balls.first_mut() {
+        *ball = Sphere { center: Vec3::new(0.0, -1e6, 0.0), radius: 1e6 };
+    }
+    Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(balls)])
+}
+
+/// Walks the tree; returns the flat numbers found and checks that each box holds what is under it.
+fn walk(bvh: &Bvh) -> Vec<u32> {
+    let mut found = Vec::new();
+    let everything = [Vec3::NEG_INFINITY, Vec3::INFINITY];
+    let mut stack = vec![(0_usize, vec![everything], 0_usize)];
+    while let Some((index, above, pushed)) = stack.pop() {
+        let node = &bvh.nodes[index];
+        let used = node.children.iter().filter(|&&w| w != EMPTY).count();
+        let pushed = pushed + used.saturating_sub(1);
+        assert!(pushed <= bvh.stack_depth);
+        for k in 0..4 {
+            let mut inside = above.clone();
+            inside.push(node.child_box(k));
+            let check = |low: Vec3, high: Vec3| {
+                for b in &inside {
+                    assert!(b[0].cmple(low).all() && b[1].cmpge(high).all(), "{low} {high} leaves {b:?}");
+                }
+            };
+            match Child::from_word(node.children[k]) {
+                Child::Empty => {}
+                Child::Node(child) => stack.push((child, inside, pushed)),
+                Child::Leaf { kind: Kind::Triangle, first, count } => {
+                    for t in &bvh.triangles[first..first + count] {
+                        check(t.a.min(t.b).min(t.c), t.a.max(t.b).max(t.c));
+                        found.push(t.id);
+                    }
+                }
+                Child::Leaf { kind: Kind::Sphere, first, count } => {
+                    for i in first..first + count {
+                        let s = bvh.spheres[i];
+                        check(s.center - s.radius, s.center + s.radius);
+                        found.push(bvh.sphere_ids[i]);
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn every_primitive_is_found_once_inside_its_boxes() {
+    for (triangles, spheres) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 3), (4, 0), (5, 0), (500, 0), (0, 500), (700, 600)]
+    {
+        let scene = scene(triangles, spheres);
+        for scaling in [Scaling::None, Scaling::PowerOfTwo] {
+            let bvh = Bvh::new(&scene, scaling).expect("small");
+            let mut found = walk(&bvh);
+            found.sort_unstable();
+            let all: Vec<u32> = (0..u32::try_from(scene.len()).expect("few")).collect();
+            assert_eq!(found, all, "{triangles} triangles, {spheres} spheres");
+        }
+    }
+}
+
+#[test]
+fn a_deep_tree_is_built_without_recursion() {
+    // Triangles whose sizes fall by powers of two, one inside the other: the tree is a chain.
+    let mut mesh = Mesh::default();
+    for i in 0..120_u32 {
+        let s = 2.0_f32.powi(60 - i32::try_from(i).expect("few"));
+        mesh.vertices.extend([Vec3::ZERO, Vec3::new(s, 0.0, 0.0), Vec3::new(0.0, s, s)]);
+        mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+    }
+    let bvh = Bvh::new(&Scene::new(vec![Geometry::Mesh(mesh)]), Scaling::None).expect("small");
+    assert_eq!(walk(&bvh).len(), 120);
+}
