@@ -1,7 +1,7 @@
 //! Kernel against twin, in every bit, over every family of hard cases.
 
 use rayproof::Precision;
-use rayproof::scene::{Hit, Ray, Scene};
+use rayproof::scene::{FlatHit, Ray, Scene};
 use rayproof_cpu::Engine as Twin;
 use rayproof_gpu::{Engine as Kernel, Gpu};
 use rayproof_oracle::families::{self, Case};
@@ -41,7 +41,7 @@ impl Pair {
     /// its first stage leaves open what the twin's does.
     fn compare(&self, what: &str, rays: &[Ray], tally: &mut Tally) {
         let Some(kernel) = &self.kernel else { return };
-        let mut device = vec![Hit::MISS; rays.len()];
+        let mut device = vec![FlatHit::MISS; rays.len()];
         let mut twin = device.clone();
         let open = kernel.closest(rays, &mut device).expect("the device answers");
         let undecided = self.twin.closest(rays, &mut twin);
@@ -127,7 +127,7 @@ fn batches_of_every_size_come_back_whole() {
         let pair = Pair::new(gpu(), &scene, Precision::Fast);
         let mut tally = Tally::default();
         pair.compare(&format!("{size} rays"), &rays, &mut tally);
-        let mut hits = vec![Hit::MISS; size];
+        let mut hits = vec![FlatHit::MISS; size];
         pair.kernel.as_ref().expect("fast").closest(&rays, &mut hits).expect("the device answers");
         for (i, hit) in hits.iter().enumerate() {
             let known = families::batch_answer(i);

@@ -9,7 +9,7 @@ use std::process::Command;
 
 use glam::DVec3;
 use rayproof::files::load;
-use rayproof::scene::{Camera, Geometry, Hit, Kind, Ray};
+use rayproof::scene::{Camera, FlatHit, Geometry, Kind, Ray};
 use rayproof::{DeviceChoice, Intersector, Options};
 use rayproof_oracle::families::meshes::open_edges;
 use rayproof_oracle::{Oracle, judge::judge_closest};
@@ -88,9 +88,9 @@ fn the_sample_is_answered_rightly() {
     let (scene, camera) = (sample.scene, sample.camera.unwrap());
     assert_eq!((scene.count(Kind::Triangle), scene.count(Kind::Sphere)), (12_800, 8));
     let rays = rays(&camera);
-    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut hits = vec![FlatHit::MISS; rays.len()];
     let options = Options { device: DeviceChoice::Cpu, ..Options::default() };
-    Intersector::new(&scene, &options).unwrap().closest(&rays, &mut hits).unwrap();
+    Intersector::new(&scene, &options).unwrap().closest_flat(&rays, &mut hits).unwrap();
 
     let oracle = Oracle::new(&scene);
     let mut seen = vec![0_usize; scene.count(Kind::Sphere) + 1];

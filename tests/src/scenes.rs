@@ -40,7 +40,7 @@ pub(crate) fn mixed(triangles: usize, spheres: usize) -> Scene {
         *ball = Sphere { center: Vec3::new(5.0, -1e4, 5.0), radius: 1e4 };
     }
     let [first, second] = meshes;
-    Scene::new(vec![Geometry::Mesh(first), Geometry::Spheres(balls), Geometry::Mesh(second)])
+    Scene::new(vec![Geometry::Mesh(first), Geometry::Spheres(balls), Geometry::Mesh(second)]).expect("a valid scene")
 }
 
 /// Rays from in and around the scene at its primitives and past them, with ranges of every kind.

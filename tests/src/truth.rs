@@ -1,7 +1,7 @@
 //! The precision `fast` against exact arithmetic, family by family: nothing beyond what the precision promises.
 
 use rayproof::Precision;
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{self, Case};
@@ -40,7 +40,7 @@ fn judge(case: &Case, tally: &mut Tally) {
     let oracle = Oracle::new(&case.scene);
     let bvh = Bvh::new(&case.scene, Scaling::of(Precision::Fast)).expect("small");
     let engine = Engine::new(bvh, Precision::Fast);
-    let mut hits = vec![Hit::MISS; case.rays.len()];
+    let mut hits = vec![FlatHit::MISS; case.rays.len()];
     let mut any = vec![2; case.rays.len()];
     engine.closest(&case.rays, &mut hits);
     engine.any(&case.rays, &mut any);
@@ -50,7 +50,7 @@ fn judge(case: &Case, tally: &mut Tally) {
     }
 }
 
-fn oracle_batch(oracle: &Oracle, rays: &[Ray], hits: &[Hit], any: &[u8]) -> Vec<Verdict> {
+fn oracle_batch(oracle: &Oracle, rays: &[Ray], hits: &[FlatHit], any: &[u8]) -> Vec<Verdict> {
     let asked = rays.iter().zip(hits).zip(any);
     asked.flat_map(|((ray, hit), any)| [judge_closest(oracle, ray, hit), judge_any(oracle, ray, *any)]).collect()
 }

@@ -1,7 +1,7 @@
 //! The calculation that the oracle lays out, against the engines that it stands for: the same bits.
 
 use rayproof::Precision;
-use rayproof::scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Triangle};
+use rayproof::scene::{FlatHit, Geometry, Mesh, Primitive, Ray, Scene, Triangle};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{self, Family};
@@ -65,7 +65,7 @@ impl Tally {
             let in_tree = closest(&engine, ray);
             let hit = closest(&engine.without_tree(), ray);
             if !hit.same_bits(&in_tree) {
-                assert_eq!(in_tree, Hit::MISS, "a tree can only spare a hit: {hit:?} of {ray:?} and {primitive:?}");
+                assert_eq!(in_tree, FlatHit::MISS, "a tree can only spare a hit: {hit:?} of {ray:?} and {primitive:?}");
                 self.spared += 1;
             }
             self.answers += 1;
@@ -90,20 +90,21 @@ fn alone(primitive: &Primitive) -> Scene {
             Geometry::Mesh(Mesh { vertices: vec![a, b, c], triangles: vec![[0, 1, 2]] })
         }
     }])
+    .expect("a valid scene")
 }
 
 /// The answer as an engine gives it; `None` where the method has none.
-fn as_hit(answer: &Answer) -> Option<Hit> {
+fn as_hit(answer: &Answer) -> Option<FlatHit> {
     match *answer {
         Answer::Absent => None,
-        Answer::Miss(_) => Some(Hit::MISS),
-        Answer::Hit { t: Value::F32(t), u: Value::F32(u), v: Value::F32(v) } => Some(Hit { t, u, v, primitive: 0 }),
+        Answer::Miss(_) => Some(FlatHit::MISS),
+        Answer::Hit { t: Value::F32(t), u: Value::F32(u), v: Value::F32(v) } => Some(FlatHit { t, u, v, primitive: 0 }),
         Answer::Hit { .. } => panic!("an engine answers in f32, not {answer:?}"),
     }
 }
 
-fn closest(engine: &Engine, ray: &Ray) -> Hit {
-    let mut hits = [Hit::MISS];
+fn closest(engine: &Engine, ray: &Ray) -> FlatHit {
+    let mut hits = [FlatHit::MISS];
     engine.closest(&[*ray], &mut hits);
     hits[0]
 }

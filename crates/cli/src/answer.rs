@@ -1,7 +1,7 @@
 //! The three questions that can be asked of a ray, and what goes with each.
 
 use rayproof::files::{self, HitKind, HitWriter};
-use rayproof::scene::{Hit, Ray, Scene, Undecided};
+use rayproof::scene::{Hit, Ray, Undecided};
 use rayproof::{Error, Intersector};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::judge::{Verdict, judge_any, judge_closest, judge_count};
@@ -18,7 +18,7 @@ pub(crate) trait Answer: Copy + Send + Sync + 'static {
     /// Asks the engine; returned is how many rays its stages left open.
     fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error>;
     /// Appends answers to the file.
-    fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), files::Error>;
+    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error>;
     /// Whether the ray hits anything.
     fn is_hit(&self) -> bool;
     /// Asks the oracle.
@@ -34,8 +34,8 @@ impl Answer for Hit {
         engine.closest(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, scene: &Scene, answers: &[Self]) -> Result<(), files::Error> {
-        writer.write_closest(scene, answers)
+    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error> {
+        writer.write_closest(answers)
     }
 
     fn is_hit(&self) -> bool {
@@ -43,7 +43,7 @@ impl Answer for Hit {
     }
 
     fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict {
-        judge_closest(oracle, ray, self)
+        judge_closest(oracle, ray, &oracle.scene().flat_hit(self))
     }
 }
 
@@ -57,7 +57,7 @@ impl Answer for u8 {
         engine.any(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), files::Error> {
+    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error> {
         writer.write_any(answers)
     }
 
@@ -80,7 +80,7 @@ impl Answer for u32 {
         engine.count(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, _: &Scene, answers: &[Self]) -> Result<(), files::Error> {
+    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error> {
         writer.write_count(answers)
     }
 

@@ -16,7 +16,7 @@ pub(crate) fn bounce(scene: &Scene, ray: &Ray, hit: &Hit, random: &mut Random) -
     let d = ray.direction.as_dvec3();
     let along = d * f64::from(hit.t);
     let p = ray.origin.as_dvec3() + along;
-    let normal = facing(normal(scene, hit, p), d);
+    let normal = facing(normal(scene, &scene.flat_hit(hit), p), d);
     let push = PUSH * along.length().max(p.abs().max_element());
     // A unit normal plus a uniform point of the unit sphere is cosine-weighted (Lambert's law).
     let direction = (normal + random.on_sphere()).try_normalize().unwrap_or(normal);
@@ -38,10 +38,10 @@ mod tests {
     fn bounces_leave_on_the_viewers_side_with_the_cosine() {
         let square = Mesh { vertices: vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles: vec![[0, 1, 2]] };
         let spheres = vec![Sphere { center: Vec3::new(5.0, 0.0, -1.0), radius: 1.0 }];
-        let scene = Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]);
-        for (x, primitive, side) in [(0.25, 0, 1.0), (0.25, 0, -1.0), (5.0, 1, 1.0)] {
+        let scene = Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]).expect("a valid scene");
+        for (x, geometry, side) in [(0.25, 0, 1.0), (0.25, 0, -1.0), (5.0, 1, 1.0)] {
             let ray = Ray::new(Vec3::new(x, 0.0, side * 4.0), Vec3::new(0.0, 0.0, -side));
-            let hit = Hit { t: 4.0, u: 0.25, v: 0.0, primitive };
+            let hit = Hit { t: 4.0, u: 0.25, v: 0.0, geometry, primitive: 0 };
             let n = 20_000;
             let mut cosines = 0.0;
             for i in 0..n {

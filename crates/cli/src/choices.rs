@@ -5,7 +5,8 @@ use std::path::Path;
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use rayproof::Precision;
-use rayproof::files::{self, InvalidRays};
+use rayproof::files;
+use rayproof::scene::InvalidRays;
 
 use crate::exit::{Code, Failure};
 use crate::target;

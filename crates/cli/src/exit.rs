@@ -74,6 +74,7 @@ impl From<rayproof::Error> for Failure {
         let code = match &error {
             rayproof::Error::NoDevice(_) => Code::NoDevice,
             rayproof::Error::NotExact | rayproof::Error::OnDevice => Code::Usage,
+            rayproof::Error::InvalidRay { .. } => Code::BadInput,
             rayproof::Error::Device(_) | rayproof::Error::TooLarge(_) => Code::Running,
         };
         Self::new(code, error.to_string())

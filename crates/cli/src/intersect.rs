@@ -36,7 +36,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     let load = loading.elapsed().as_secs_f64();
     target::is_no_input(&args.output, sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
     let source = Source::open(&args.rays, args.invalid.into(), args.shard)?;
-    let options = Options { precision: args.precision, device: args.device.clone() };
+    let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };
     let engine = Intersector::new(&scene, &options)?;
     let run = Run { args, format, scene, engine, started, load };
     match args.query {
@@ -103,7 +103,7 @@ impl Run<'_> {
                 Ok(())
             },
             |first, rays, answers| {
-                A::write(&mut writer, &self.scene, answers)?;
+                A::write(&mut writer, answers)?;
                 sampler.take(first, rays, answers);
                 hits += answers.iter().filter(|answer| answer.is_hit()).count() as u64;
                 progress.add(rays.len());

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use rayproof::scene::{Camera, Hit, Ray, Scene};
+use rayproof::scene::{Camera, FlatHit, Ray, Scene};
 use rayproof::{Intersector, Options, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_picture::color::Rgb;
@@ -32,7 +32,7 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
     let loaded = rayproof::files::load(&args.scene)?;
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
-    let options = Options { precision: args.precision, device: args.device.clone() };
+    let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };
     let engine = Intersector::new(&loaded.scene, &options)?;
     let view = View { args, scene: &loaded.scene, camera, engine };
     view.draw()?.save(&args.output)?;
@@ -85,7 +85,7 @@ impl View<'_> {
     }
 
     /// Colours every pixel by its own ray and hit.
-    fn shade(&self, picture: &mut Picture, color: impl Fn(&Ray, &Hit) -> Rgb + Sync) -> Result<(), Failure> {
+    fn shade(&self, picture: &mut Picture, color: impl Fn(&Ray, &FlatHit) -> Rgb + Sync) -> Result<(), Failure> {
         self.trace(|rays, hits| {
             let colors: Vec<Rgb> = rays.par_iter().zip(hits).map(|(ray, hit)| color(ray, hit)).collect();
             picture.push(colors);
@@ -93,12 +93,12 @@ impl View<'_> {
     }
 
     /// Calls `f` with the rays of each block of rows and their hits.
-    fn trace(&self, mut f: impl FnMut(&[Ray], &[Hit])) -> Result<(), Failure> {
+    fn trace(&self, mut f: impl FnMut(&[Ray], &[FlatHit])) -> Result<(), Failure> {
         let mut hits = Vec::new();
         self.each_block(|rays| {
             hits.clear();
-            hits.resize(rays.len(), Hit::MISS);
-            self.engine.closest(rays, &mut hits)?;
+            hits.resize(rays.len(), FlatHit::MISS);
+            self.engine.closest_flat(rays, &mut hits)?;
             f(rays, &hits);
             Ok(())
         })

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use rayproof::files::{InvalidRays, RayReader};
-use rayproof::scene::Ray;
+use rayproof::files::RayReader;
+use rayproof::scene::{InvalidRays, Ray};
 
 use crate::exit::{Code, Failure};
 use crate::parse::Shard;

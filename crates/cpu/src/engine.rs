@@ -3,7 +3,7 @@ mod walks;
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use rayproof_scene::{Hit, Kind, MISS, Precision, Ray, Undecided};
+use rayproof_scene::{FlatHit, Kind, MISS, Precision, Ray, Undecided};
 use rayproof_tree::{Bvh, LEAF, Scaling};
 
 use crate::claims::Claims;
@@ -34,17 +34,21 @@ pub struct Engine {
     every: Option<Vec<u32>>,
 }
 
-/// Calls a method for the formulas of a precision other than `exact`.
+/// Evaluates a call with `$formulas` standing for the formulas of a precision; those of `fast` for `exact`.
 macro_rules! by_formulas {
-    ($precision:expr, $self:ident.$method:ident($($argument:expr),*)) => {
+    ($precision:expr, $formulas:ident => $call:expr) => {
         match $precision {
-            Precision::Textbook => $self.$method::<Textbook>($($argument),*),
-            Precision::Classic => $self.$method::<Classic>($($argument),*),
-            Precision::Fast | Precision::Exact => $self.$method::<Fast>($($argument),*),
-            Precision::Pair => $self.$method::<Pair>($($argument),*),
-            Precision::Double => $self.$method::<Double>($($argument),*),
+            Precision::Textbook => by_formulas!(@ $formulas = Textbook; $call),
+            Precision::Classic => by_formulas!(@ $formulas = Classic; $call),
+            Precision::Fast | Precision::Exact => by_formulas!(@ $formulas = Fast; $call),
+            Precision::Pair => by_formulas!(@ $formulas = Pair; $call),
+            Precision::Double => by_formulas!(@ $formulas = Double; $call),
         }
     };
+    (@ $formulas:ident = $chosen:ty; $call:expr) => {{
+        type $formulas = $chosen;
+        $call
+    }};
 }
 
 /// Which stages of the cascade a ray went through.
@@ -90,21 +94,26 @@ impl Engine {
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
-    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Undecided {
+    pub fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Undecided {
+        self.closest_as(rays, hits, |hit| hit)
+    }
+
+    /// As [`closest`](Self::closest), each hit as `make` writes it.
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn closest_as<A: Send>(&self, rays: &[Ray], hits: &mut [A], make: impl Fn(FlatHit) -> A + Sync) -> Undecided {
         if self.precision != Precision::Exact {
-            return by_formulas!(self.precision, self.closest_by(rays, hits));
+            return by_formulas!(self.precision, F => self.closest_by::<F, A>(rays, hits, make));
         }
         self.batch(
             rays,
             hits,
+            MISS,
             #[inline(always)]
-            |ray, stack, path| Hit { primitive: self.exact_slot::<false>(ray, stack, path), ..Hit::MISS },
+            |ray, stack, path| self.exact_slot::<false>(ray, stack, path),
             #[inline(always)]
-            |ray, hit, path| {
-                if hit.is_hit() {
-                    *hit = self.round(ray, hit.primitive, path);
-                }
-            },
+            |ray, place, path| make(if place == MISS { FlatHit::MISS } else { self.round(ray, place, path) }),
         )
     }
 
@@ -114,14 +123,15 @@ impl Engine {
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Undecided {
         if self.precision != Precision::Exact {
-            return by_formulas!(self.precision, self.any_by(rays, hits));
+            return by_formulas!(self.precision, F => self.any_by::<F>(rays, hits));
         }
         self.batch(
             rays,
             hits,
+            0,
             #[inline(always)]
             |ray, stack, path| u8::from(self.exact_slot::<true>(ray, stack, path) != MISS),
-            |_, _, _| {},
+            |_, hit, _| hit,
         )
     }
 
@@ -131,7 +141,7 @@ impl Engine {
     /// # Panics
     /// When `rays` and `claims` differ in length.
     pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) {
-        by_formulas!(self.precision, self.claims_by(rays, claims));
+        by_formulas!(self.precision, F => self.claims_by::<F>(rays, claims));
     }
 
     /// How often each ray crosses the surface, exactly, whatever the precision: through a shared edge or vertex of a closed mesh
@@ -143,9 +153,10 @@ impl Engine {
         self.batch(
             rays,
             counts,
+            0,
             #[inline(always)]
             |ray, stack, path| self.exact_count(ray, stack, path),
-            |_, _, _| {},
+            |_, count, _| count,
         )
     }
 
@@ -161,16 +172,18 @@ impl Engine {
             }
             if path.doubts > 0 { 3 } else { 1 + u8::from(path.open) }
         };
-        self.batch(rays, stages, decide, |_, _, _| {});
+        self.batch(rays, stages, 0, decide, |_, stage, _| stage);
     }
 
-    /// Answers every ray, a block at a time; then `finish` goes over the block: independent work, which the processor overlaps.
-    fn batch<A: Send>(
+    /// Answers every ray, a block at a time: `find` finds what `finish` then makes answers of, which is independent work, so that
+    /// the processor overlaps it.
+    fn batch<B: Copy + Sync, A: Send>(
         &self,
         rays: &[Ray],
         answers: &mut [A],
-        answer: impl Fn(&Ray, &mut Stack, &mut Path) -> A + Sync,
-        finish: impl Fn(&Ray, &mut A, &mut Path) + Sync,
+        nothing: B,
+        find: impl Fn(&Ray, &mut Stack, &mut Path) -> B + Sync,
+        finish: impl Fn(&Ray, B, &mut Path) -> A + Sync,
     ) -> Undecided {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
         // Few rays may be hard ones: each core gets its share.
@@ -186,11 +199,14 @@ impl Engine {
                         || {
                             for (rays, answers) in rays.chunks(BLOCK).zip(answers.chunks_mut(BLOCK)) {
                                 let mut paths = [Path::default(); BLOCK];
-                                for ((ray, slot), path) in rays.iter().zip(&mut *answers).zip(&mut paths) {
-                                    *slot = answer(ray, stack, path);
+                                let mut found = [nothing; BLOCK];
+                                for ((ray, found), path) in rays.iter().zip(&mut found).zip(&mut paths) {
+                                    *found = find(ray, stack, path);
                                 }
-                                for ((ray, slot), path) in rays.iter().zip(answers).zip(&mut paths) {
-                                    finish(ray, slot, path);
+                                for (((ray, answer), found), path) in
+                                    rays.iter().zip(answers).zip(found).zip(&mut paths)
+                                {
+                                    *answer = finish(ray, found, path);
                                     undecided += path.tally();
                                 }
                             }
@@ -202,13 +218,20 @@ impl Engine {
             .sum()
     }
 
-    fn closest_by<F: Formulas>(&self, rays: &[Ray], hits: &mut [Hit]) -> Undecided {
+    fn closest_by<F: Formulas, A: Send>(
+        &self,
+        rays: &[Ray],
+        hits: &mut [A],
+        make: impl Fn(FlatHit) -> A + Sync,
+    ) -> Undecided {
         self.batch(
             rays,
             hits,
+            FlatHit::MISS,
             #[inline(always)]
             |ray, stack, _| self.nearest::<F, false>(ray, stack),
-            |_, _, _| {},
+            #[inline(always)]
+            |_, hit, _| make(hit),
         )
     }
 
@@ -216,9 +239,10 @@ impl Engine {
         self.batch(
             rays,
             hits,
+            0,
             #[inline(always)]
             |ray, stack, _| u8::from(self.nearest::<F, true>(ray, stack).is_hit()),
-            |_, _, _| {},
+            |_, hit, _| hit,
         )
     }
 
@@ -236,6 +260,6 @@ impl Engine {
             };
             self.walk(stack, &unit, &ray, Claims::start(&ray), leaf).claims
         };
-        self.batch(rays, claims, count, |_, _, _| {});
+        self.batch(rays, claims, 0, count, |_, claims, _| claims);
     }
 }

@@ -9,12 +9,12 @@
 //! ```
 //! use glam::Vec3;
 //! use rayproof_cpu::Engine;
-//! use rayproof_scene::{Geometry, Hit, Precision, Ray, Scene, Sphere};
+//! use rayproof_scene::{Geometry, FlatHit, Precision, Ray, Scene, Sphere};
 //! use rayproof_tree::{Bvh, Scaling};
 //!
-//! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+//! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]).expect("a valid scene");
 //! let engine = Engine::new(Bvh::new(&scene, Scaling::of(Precision::Fast))?, Precision::Fast);
-//! let mut hits = [Hit::MISS];
+//! let mut hits = [FlatHit::MISS];
 //! engine.closest(&[Ray::new(Vec3::new(0.0, 0.0, -3.0), Vec3::Z)], &mut hits);
 //! assert_eq!(hits[0].t, 2.0);
 //! # Ok::<(), rayproof_tree::TooLarge>(())

@@ -10,4 +10,6 @@ mod tables;
 
 pub use error::{BadInput, Error};
 pub use scenes::{LoadedScene, load};
-pub use tables::{Format, HitKind, HitWriter, INVALID_RAY, InvalidRays, RayReader, RayWriter};
+// What a reader is told to do with bad rays.
+pub use rayproof_scene::{INVALID_RAY, InvalidRays};
+pub use tables::{Format, HitKind, HitWriter, RayReader, RayWriter};

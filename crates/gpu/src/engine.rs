@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use bytemuck::Pod;
-use rayproof_scene::{Hit, Kinds, Precision, Ray};
+use rayproof_scene::{FlatHit, Kinds, Precision, Ray};
 use rayproof_tree::Bvh;
 
 use crate::Error;
@@ -132,8 +132,21 @@ impl Engine {
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
-    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Open, Error> {
-        self.answer(Query::Closest, rays, hits, |hit: &Hit| (*hit, hit.primitive))
+    pub fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Open, Error> {
+        self.closest_as(rays, hits, |hit| hit)
+    }
+
+    /// As [`closest`](Self::closest), each hit as `make` writes it.
+    ///
+    /// # Errors
+    /// When the device fails.
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn closest_as<A>(&self, rays: &[Ray], hits: &mut [A], make: impl Fn(FlatHit) -> A) -> Result<Open, Error> {
+        // An open ray has no primitive that a scene knows.
+        let known = |hit: FlatHit| if hit.primitive == OPEN { FlatHit::MISS } else { hit };
+        self.answer(Query::Closest, rays, hits, |hit: &FlatHit| (make(known(*hit)), hit.primitive))
     }
 
     /// Whether each ray hits anything: 1 or 0. Rays that are returned as open have no answer yet.
@@ -168,8 +181,8 @@ impl Engine {
     /// When the precision is another.
     pub fn open_after_first(&self, rays: &[Ray]) -> Result<Open, Error> {
         let Passes::Exact { first, .. } = self.passes else { panic!("only the precision exact has a first stage") };
-        let mut hits = vec![Hit::MISS; rays.len()];
-        let take = |hit: &Hit| (*hit, hit.primitive);
+        let mut hits = vec![FlatHit::MISS; rays.len()];
+        let take = |hit: &FlatHit| (*hit, hit.primitive);
         self.run(&self.streams[3], Query::Closest, &[Pass::First(first)], rays, &mut hits, take)
     }
 

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use rayproof_scene::{Hit, Mesh, Ray};
+use rayproof_scene::{FlatHit, Mesh, Ray};
 
 use crate::Error;
 use crate::adapter::{choose, driver};
@@ -64,14 +64,14 @@ impl RayQuery {
     ///
     /// # Errors
     /// When the device fails.
-    pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), Error> {
+    pub fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<(), Error> {
         for (rays, hits) in rays.chunks(CHUNK).zip(hits.chunks_mut(CHUNK)) {
             self.chunk(rays, hits)?;
         }
         Ok(())
     }
 
-    fn chunk(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<(), Error> {
+    fn chunk(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<(), Error> {
         use wgpu::BufferUsages as Usage;
         use wgpu::util::DeviceExt as _;
         let filled = |contents: &[u8], usage| {
@@ -110,7 +110,7 @@ impl RayQuery {
         let failed = |e: &dyn std::fmt::Display| Error::Device(e.to_string());
         self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
         let view = readback.get_mapped_range(..).map_err(|e| failed(&e))?;
-        hits.copy_from_slice(&bytemuck::pod_collect_to_vec::<u8, Hit>(&view));
+        hits.copy_from_slice(&bytemuck::pod_collect_to_vec::<u8, FlatHit>(&view));
         Ok(())
     }
 }

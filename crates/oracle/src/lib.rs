@@ -10,17 +10,17 @@
 //! ```
 //! use glam::Vec3;
 //! use rayproof_oracle::{Oracle, judge::{Verdict, judge_closest}};
-//! use rayproof_scene::{Geometry, Hit, Ray, Scene, Sphere};
+//! use rayproof_scene::{Geometry, FlatHit, Ray, Scene, Sphere};
 //!
-//! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+//! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]).expect("a valid scene");
 //! let oracle = Oracle::new(&scene);
 //! let ray = Ray::new(Vec3::new(0.0, 0.0, 3.0), Vec3::NEG_Z);
 //!
 //! let hit = oracle.closest(&ray).expect("the ray meets the sphere").to_hit();
-//! assert_eq!(hit, Hit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 });
+//! assert_eq!(hit, FlatHit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 });
 //!
 //! assert!(matches!(judge_closest(&oracle, &ray, &hit), Verdict::Exact(_)));
-//! assert!(matches!(judge_closest(&oracle, &ray, &Hit::MISS), Verdict::Disagrees(..)));
+//! assert!(matches!(judge_closest(&oracle, &ray, &FlatHit::MISS), Verdict::Disagrees(..)));
 //! ```
 
 pub mod families;

@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
 use rayon::prelude::*;
-use rayproof_scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene};
+use rayproof_scene::{FlatHit, Geometry, Mesh, Primitive, Ray, Scene};
 
 use crate::{
     filter::Filter,
@@ -28,9 +28,9 @@ pub struct ExactHit {
 impl ExactHit {
     /// This hit with `t`, `u`, `v` rounded to the nearest `f32`: what the precision `exact` promises, bit for bit.
     #[must_use]
-    pub fn to_hit(&self) -> Hit {
+    pub fn to_hit(&self) -> FlatHit {
         let weight = |x: &RBig| Root::from(x.clone()).to_f32();
-        Hit { t: self.t.to_f32(), u: weight(&self.u), v: weight(&self.v), primitive: self.primitive }
+        FlatHit { t: self.t.to_f32(), u: weight(&self.u), v: weight(&self.v), primitive: self.primitive }
     }
 
     /// By exact `t`, then by primitive: the order in which hits are closest.
@@ -90,10 +90,10 @@ impl<'s> Oracle<'s> {
         closest
     }
 
-    /// The closest hit as an engine writes it: its numbers rounded to the nearest, or [`Hit::MISS`].
+    /// The closest hit as an engine writes it: its numbers rounded to the nearest, or [`FlatHit::MISS`].
     #[must_use]
-    pub fn hit(&self, ray: &Ray) -> Hit {
-        self.closest(ray).map_or(Hit::MISS, |hit| hit.to_hit())
+    pub fn hit(&self, ray: &Ray) -> FlatHit {
+        self.closest(ray).map_or(FlatHit::MISS, |hit| hit.to_hit())
     }
 
     /// Whether the ray hits anything.
@@ -137,7 +137,7 @@ impl<'s> Oracle<'s> {
     /// # use rayproof_oracle::Oracle;
     /// # use rayproof_scene::{Geometry, Ray, Scene, Sphere};
     /// # use glam::Vec3;
-    /// let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+    /// let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]).expect("a valid scene");
     /// let rays = [Ray::new(Vec3::new(0.0, 0.0, 3.0), Vec3::NEG_Z), Ray::new(Vec3::ZERO, Vec3::X)];
     /// assert_eq!(Oracle::new(&scene).batch(&rays, Oracle::count), [2, 1]);
     /// ```

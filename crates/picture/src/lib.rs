@@ -5,11 +5,11 @@
 //!
 //! ```
 //! use rayproof_picture::{color, shade};
-//! use rayproof_scene::Hit;
+//! use rayproof_scene::FlatHit;
 //!
-//! let hit = Hit { t: 1.0, u: 0.0, v: 1.0, primitive: 0 };
+//! let hit = FlatHit { t: 1.0, u: 0.0, v: 1.0, primitive: 0 };
 //! assert_eq!(shade::by_uv(&hit), [0, 0, 255]);
-//! assert_eq!(shade::by_uv(&Hit::MISS), color::BACKGROUND);
+//! assert_eq!(shade::by_uv(&FlatHit::MISS), color::BACKGROUND);
 //! ```
 
 pub mod color;

@@ -1,14 +1,14 @@
 //! The geometric normal of a surface.
 
 use glam::DVec3;
-use rayproof_scene::{Hit, Primitive, Scene};
+use rayproof_scene::{FlatHit, Primitive, Scene};
 
 /// The geometric normal of the primitive that was hit, at a point `p` of it, of any length.
 ///
 /// # Panics
 /// When the hit is a miss.
 #[must_use]
-pub fn normal(scene: &Scene, hit: &Hit, p: DVec3) -> DVec3 {
+pub fn normal(scene: &Scene, hit: &FlatHit, p: DVec3) -> DVec3 {
     match scene.primitive(hit.primitive as usize) {
         Primitive::Triangle(triangle) => {
             let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| v.as_dvec3());

@@ -2,14 +2,14 @@
 
 use glam::Vec3;
 use rayproof_oracle::judge::ulp_distance;
-use rayproof_scene::{Hit, Ray, Scene};
+use rayproof_scene::{FlatHit, Ray, Scene};
 
 use crate::color::{self, BACKGROUND, Rgb, WRONG};
 use crate::normal::{facing, normal};
 
 /// The geometric normal on the viewer's side as red, green and blue, lit by a lamp at the eye.
 #[must_use]
-pub fn by_normal(scene: &Scene, ray: &Ray, hit: &Hit) -> Rgb {
+pub fn by_normal(scene: &Scene, ray: &Ray, hit: &FlatHit) -> Rgb {
     if !hit.is_hit() {
         return BACKGROUND;
     }
@@ -22,19 +22,19 @@ pub fn by_normal(scene: &Scene, ray: &Ray, hit: &Hit) -> Rgb {
 
 /// A colour of its own for every primitive.
 #[must_use]
-pub fn by_primitive(hit: &Hit) -> Rgb {
+pub fn by_primitive(hit: &FlatHit) -> Rgb {
     if hit.is_hit() { color::distinct(hit.primitive) } else { BACKGROUND }
 }
 
 /// The weights of the three vertices as red, green and blue.
 #[must_use]
-pub fn by_uv(hit: &Hit) -> Rgb {
+pub fn by_uv(hit: &FlatHit) -> Rgb {
     if hit.is_hit() { color::from_unit(Vec3::new(1.0 - hit.u - hit.v, hit.u, hit.v)) } else { BACKGROUND }
 }
 
 /// The error of `t`, given the exact answer; red where it is not even the right primitive.
 #[must_use]
-pub fn by_error(exact: &Hit, hit: &Hit) -> Rgb {
+pub fn by_error(exact: &FlatHit, hit: &FlatHit) -> Rgb {
     match (exact.primitive == hit.primitive, hit.is_hit()) {
         (false, _) => WRONG,
         (true, false) => BACKGROUND,
@@ -63,7 +63,7 @@ impl Verdict {
 
     /// The verdict on an answer.
     #[must_use]
-    pub fn of(exact: &Hit, hit: &Hit) -> Self {
+    pub fn of(exact: &FlatHit, hit: &FlatHit) -> Self {
         match (exact.is_hit(), hit.is_hit()) {
             (false, false) => Self::Miss,
             (false, true) => Self::FalseHit,
@@ -132,22 +132,28 @@ mod tests {
 
     #[test]
     fn errors_are_counted_in_ulp_and_wrong_answers_are_red() {
-        let exact = Hit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 };
-        let off = Hit { t: f32::from_bits(2.0_f32.to_bits() + 10), ..exact };
+        let exact = FlatHit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 };
+        let off = FlatHit { t: f32::from_bits(2.0_f32.to_bits() + 10), ..exact };
         assert_eq!([by_error(&exact, &exact), by_error(&exact, &off)], [0, 10].map(color::of_ulps));
-        let other = Hit { primitive: 1, ..exact };
-        let wrong = [(exact, other), (exact, Hit::MISS), (Hit::MISS, exact)];
+        let other = FlatHit { primitive: 1, ..exact };
+        let wrong = [(exact, other), (exact, FlatHit::MISS), (FlatHit::MISS, exact)];
         assert_eq!(wrong.map(|(exact, hit)| by_error(&exact, &hit)), [WRONG; 3]);
-        assert_eq!(by_error(&Hit::MISS, &Hit::MISS), BACKGROUND);
-        let verdicts = [(exact, off), (exact, other), (exact, Hit::MISS), (Hit::MISS, exact), (Hit::MISS, Hit::MISS)];
+        assert_eq!(by_error(&FlatHit::MISS, &FlatHit::MISS), BACKGROUND);
+        let verdicts = [
+            (exact, off),
+            (exact, other),
+            (exact, FlatHit::MISS),
+            (FlatHit::MISS, exact),
+            (FlatHit::MISS, FlatHit::MISS),
+        ];
         let expected = [Verdict::Hit, Verdict::Another, Verdict::FalseMiss, Verdict::FalseHit, Verdict::Miss];
         assert_eq!(verdicts.map(|(exact, hit)| Verdict::of(&exact, &hit)), expected);
     }
 
     #[test]
     fn weights_are_red_green_and_blue() {
-        let at = |u, v| by_uv(&Hit { t: 1.0, u, v, primitive: 0 });
+        let at = |u, v| by_uv(&FlatHit { t: 1.0, u, v, primitive: 0 });
         assert_eq!([at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)], [[255, 0, 0], [0, 255, 0], [0, 0, 255]]);
-        assert_eq!(by_uv(&Hit::MISS), BACKGROUND);
+        assert_eq!(by_uv(&FlatHit::MISS), BACKGROUND);
     }
 }

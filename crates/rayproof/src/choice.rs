@@ -2,7 +2,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use rayproof_gpu::Selector;
-use rayproof_scene::Precision;
+use rayproof_scene::{InvalidRays, Precision};
 
 /// Which device answers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -82,6 +82,8 @@ pub struct Options {
     pub precision: Precision,
     /// Which device answers.
     pub device: DeviceChoice,
+    /// What becomes of rays that are none (see [`Ray::fault`](rayproof_scene::Ray::fault)).
+    pub invalid_rays: InvalidRays,
 }
 
 /// The device an [`Intersector`](crate::Intersector) runs on.

@@ -1,11 +1,13 @@
+use std::borrow::Cow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 use rayproof_gpu::{Gpu, Open};
-use rayproof_scene::{Hit, Ray, Scene, Undecided};
+use rayproof_scene::{FlatHit, Hit, InvalidRays, Numbering, Ray, Scene, Undecided};
 use rayproof_tree::{Bvh, Scaling};
 
+use crate::admit::admit;
 use crate::{Device, DeviceInfo, Error, Options, Precision};
 
 /// A scene made ready on a device.
@@ -14,7 +16,11 @@ pub struct Intersector {
     info: DeviceInfo,
     build_seconds: f64,
     precision: Precision,
+    numbering: Numbering,
+    invalid_rays: InvalidRays,
     resolve_nanoseconds: AtomicU64,
+    /// Bad rays so far.
+    invalid: AtomicU64,
 }
 
 enum Engine {
@@ -30,10 +36,11 @@ impl Intersector {
     /// When the device is not there, cannot hold the scene, or fails.
     pub fn new(scene: &Scene, options: &Options) -> Result<Self, Error> {
         // The device first: a wrong name should not cost the building of a tree.
-        Self::on(&Device::open(&options.device)?, scene, options.precision)
+        let made = Self::on(&Device::open(&options.device)?, scene, options.precision)?;
+        Ok(Self { invalid_rays: options.invalid_rays, ..made })
     }
 
-    /// As [`new`](Self::new), on a device that is open: for many scenes one after the other.
+    /// As [`new`](Self::new), on a device that is open: for many scenes one after the other. Bad rays are refused.
     ///
     /// # Errors
     /// When the device cannot hold the scene, or fails.
@@ -50,7 +57,16 @@ impl Intersector {
             }
             Err(note) => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, precision))), cpu_info(note)),
         };
-        Ok(Self { engine, info, build_seconds, precision, resolve_nanoseconds: AtomicU64::new(0) })
+        Ok(Self {
+            engine,
+            info,
+            build_seconds,
+            precision,
+            numbering: scene.numbering().clone(),
+            invalid_rays: InvalidRays::Error,
+            resolve_nanoseconds: AtomicU64::new(0),
+            invalid: AtomicU64::new(0),
+        })
     }
 
     /// This scene in another precision, on the CPU engine; the two share one tree. `None` where that takes a tree of its
@@ -59,8 +75,16 @@ impl Intersector {
     pub fn with_precision(&self, precision: Precision) -> Option<Self> {
         let Engine::Cpu(engine) = &self.engine else { return None };
         let engine = Engine::Cpu(Box::new(engine.with_precision(precision)?));
-        let (info, resolve_nanoseconds) = (self.info.clone(), AtomicU64::new(0));
-        Some(Self { engine, info, build_seconds: 0.0, precision, resolve_nanoseconds })
+        Some(Self {
+            engine,
+            info: self.info.clone(),
+            build_seconds: 0.0,
+            precision,
+            numbering: self.numbering.clone(),
+            invalid_rays: self.invalid_rays,
+            resolve_nanoseconds: AtomicU64::new(0),
+            invalid: AtomicU64::new(0),
+        })
     }
 
     /// This intersector without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
@@ -89,54 +113,95 @@ impl Intersector {
     /// open on its way.
     ///
     /// # Errors
-    /// When the device fails.
+    /// When the device fails, or [`Error::InvalidRay`].
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error> {
-        match &self.engine {
-            Engine::Cpu(engine) => Ok(engine.closest(rays, hits)),
-            Engine::Gpu(engine, last) => {
-                let open = engine.closest(rays, hits)?;
-                Ok(self.resolve(last.as_deref(), &open, rays, hits, Hit::MISS, rayproof_cpu::Engine::closest))
-            }
-        }
+        self.closest_as(rays, hits, Hit::MISS, |hit| self.numbering.hit(hit))
+    }
+
+    /// As [`closest`](Self::closest), by flat numbers: for judges and pictures, which share them with the engines.
+    ///
+    /// # Errors
+    /// When the device fails, or [`Error::InvalidRay`].
+    ///
+    /// # Panics
+    /// When `rays` and `hits` differ in length.
+    pub fn closest_flat(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Undecided, Error> {
+        self.closest_as(rays, hits, FlatHit::MISS, |hit| hit)
+    }
+
+    fn closest_as<A: Copy + Send>(
+        &self,
+        rays: &[Ray],
+        hits: &mut [A],
+        miss: A,
+        make: impl Fn(FlatHit) -> A + Sync,
+    ) -> Result<Undecided, Error> {
+        self.answer(
+            rays,
+            hits,
+            miss,
+            |engine, rays, hits| engine.closest_as(rays, hits, &make),
+            |engine, rays, hits| engine.closest_as(rays, hits, &make),
+        )
     }
 
     /// Whether each ray hits anything: 1 or 0.
     ///
     /// # Errors
-    /// When the device fails.
+    /// When the device fails, or [`Error::InvalidRay`].
     ///
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<Undecided, Error> {
-        match &self.engine {
-            Engine::Cpu(engine) => Ok(engine.any(rays, hits)),
-            Engine::Gpu(engine, last) => {
-                let open = engine.any(rays, hits)?;
-                Ok(self.resolve(last.as_deref(), &open, rays, hits, 0, rayproof_cpu::Engine::any))
-            }
-        }
+        self.answer(rays, hits, 0, rayproof_cpu::Engine::any, rayproof_gpu::Engine::any)
     }
 
     /// How often each ray crosses the surface: through a shared edge or vertex of a closed mesh once, at a tangent of a sphere
     /// twice. Only the precision `exact` counts.
     ///
     /// # Errors
-    /// When the device fails, or [`Error::NotExact`].
+    /// When the device fails, [`Error::InvalidRay`] or [`Error::NotExact`].
     ///
     /// # Panics
     /// When `rays` and `counts` differ in length.
     pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Result<Undecided, Error> {
         self.check_exact()?;
+        self.answer(rays, counts, 0, rayproof_cpu::Engine::count, rayproof_gpu::Engine::count)
+    }
+
+    /// Asks the engine, and the CPU for what a device leaves open.
+    fn answer<A: Copy>(
+        &self,
+        rays: &[Ray],
+        answers: &mut [A],
+        miss: A,
+        on_cpu: impl Fn(&rayproof_cpu::Engine, &[Ray], &mut [A]) -> Undecided,
+        on_device: impl Fn(&rayproof_gpu::Engine, &[Ray], &mut [A]) -> Result<Open, rayproof_gpu::Error>,
+    ) -> Result<Undecided, Error> {
+        let rays = &*self.admit(rays)?;
         match &self.engine {
-            Engine::Cpu(engine) => Ok(engine.count(rays, counts)),
+            Engine::Cpu(engine) => Ok(on_cpu(engine, rays, answers)),
             Engine::Gpu(engine, last) => {
-                let open = engine.count(rays, counts)?;
-                Ok(self.resolve(last.as_deref(), &open, rays, counts, 0, rayproof_cpu::Engine::count))
+                let open = on_device(engine, rays, answers)?;
+                Ok(self.resolve(last.as_deref(), &open, rays, answers, miss, on_cpu))
             }
         }
+    }
+
+    /// The rays as an engine may have them; bad ones are refused or counted.
+    fn admit<'r>(&self, rays: &'r [Ray]) -> Result<Cow<'r, [Ray]>, Error> {
+        let (rays, invalid) = admit(rays, self.invalid_rays)?;
+        self.invalid.fetch_add(invalid, Relaxed);
+        Ok(rays)
+    }
+
+    /// How many bad rays became misses so far.
+    #[must_use]
+    pub fn invalid_rays(&self) -> u64 {
+        self.invalid.load(Relaxed)
     }
 
     /// Which stage of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in double width, 3 exact arithmetic.
@@ -148,6 +213,7 @@ impl Intersector {
     /// When `rays` and `stages` differ in length.
     pub fn deciding_stages(&self, rays: &[Ray], stages: &mut [u8]) -> Result<(), Error> {
         self.check_exact()?;
+        let rays = &*self.admit(rays)?;
         match &self.engine {
             Engine::Cpu(engine) => engine.deciding_stages(rays, stages),
             Engine::Gpu(engine, _) => {
@@ -155,7 +221,7 @@ impl Intersector {
                 for i in engine.open_after_first(rays)?.rays {
                     stages[i] = 2;
                 }
-                for i in engine.closest(rays, &mut vec![Hit::MISS; rays.len()])?.rays {
+                for i in engine.closest_as(rays, &mut vec![(); rays.len()], |_| ())?.rays {
                     stages[i] = 3;
                 }
             }

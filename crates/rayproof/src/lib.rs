@@ -6,24 +6,27 @@
 //! what there is.
 //!
 //! ```
-//! use glam::Vec3;
-//! use rayproof::scene::{Geometry, Hit, Ray, Scene, Sphere};
+//! use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene, Sphere};
 //! use rayproof::{DeviceChoice, Intersector, Options};
 //!
-//! let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+//! let mesh = Mesh::new([[-1.0, -1.0, 5.0], [1.0, -1.0, 5.0], [0.0, 1.0, 5.0]], vec![[0, 1, 2]]);
+//! let sphere = Sphere::new([0.0, 0.0, 0.0], 1.0);
+//! let scene = Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(vec![sphere])])?;
+//!
 //! let options = Options { device: DeviceChoice::Cpu, ..Options::default() };
 //! let intersector = Intersector::new(&scene, &options)?;
+//! let from = [0.0, 0.0, -3.0];
 //! let mut hits = [Hit::MISS; 2];
-//! let from = Vec3::new(0.0, 0.0, -3.0);
-//! intersector.closest(&[Ray::new(from, Vec3::Z), Ray::new(from, Vec3::X)], &mut hits)?;
-//! assert_eq!(hits[0].t, 2.0);
+//! intersector.closest(&[Ray::new(from, [0.0, 0.0, 1.0]), Ray::new(from, [1.0, 0.0, 0.0])], &mut hits)?;
+//! assert_eq!((hits[0].t, hits[0].geometry, hits[0].primitive), (2.0, 1, 0));
 //! assert!(!hits[1].is_hit());
-//! # Ok::<(), rayproof::Error>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! What a hit is: the smallest `t` with `t_min <= t <= t_max`, both ends included; triangles are closed and two-sided;
 //! both roots of a sphere count; among equal `t` the lowest number wins.
 
+mod admit;
 mod choice;
 mod device;
 mod error;
@@ -37,4 +40,5 @@ pub use rayproof_files as files;
 pub use rayproof_gpu::{AdapterReport, Fingerprint, Handles, Route, adapters};
 pub use rayproof_scene as scene;
 pub use rayproof_scene::Precision;
+pub use rayproof_scene::glam;
 pub use rayproof_tree::TooLarge;

@@ -196,30 +196,33 @@ mod tests {
     fn a_ground_sphere_does_not_hide_the_rest() {
         let ground = (Vec3::new(0.0, -1e6, 0.0), 1e6);
         let beads = [(Vec3::new(-1.0, 0.5, 0.0), 0.5), (Vec3::new(1.0, 0.25, 0.0), 0.25)];
-        let without = Camera::framing(&Scene::new(vec![spheres(&beads)]));
+        let without = Camera::framing(&Scene::new(vec![spheres(&beads)]).expect("a valid scene"));
         for scene in [
             vec![spheres(&[ground, beads[0], beads[1]])],
             vec![spheres(&beads), spheres(&[ground])],
             vec![spheres(&[ground, (Vec3::ZERO, 2e6)]), spheres(&beads)],
         ] {
-            assert_eq!(Camera::framing(&Scene::new(scene)), without);
+            assert_eq!(Camera::framing(&Scene::new(scene).expect("a valid scene")), without);
         }
         let mesh = triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
-        let without = Camera::framing(&Scene::new(vec![mesh.clone()]));
-        assert_eq!(Camera::framing(&Scene::new(vec![spheres(&[ground]), mesh])), without);
+        let without = Camera::framing(&Scene::new(vec![mesh.clone()]).expect("a valid scene"));
+        assert_eq!(Camera::framing(&Scene::new(vec![spheres(&[ground]), mesh]).expect("a valid scene")), without);
     }
 
     #[test]
     fn large_spheres_of_a_wide_scene_are_framed() {
         let far = Vec3::new(100.0, 0.0, 0.0);
-        let scene = Scene::new(vec![spheres(&[(Vec3::ZERO, 0.1), (far, 0.1), (Vec3::ZERO, 50.0)])]);
+        let scene =
+            Scene::new(vec![spheres(&[(Vec3::ZERO, 0.1), (far, 0.1), (Vec3::ZERO, 50.0)])]).expect("a valid scene");
         let camera = Camera::framing(&scene);
         for point in [far, Vec3::new(-50.0, 0.0, 0.0), Vec3::new(0.0, 50.0, 0.0), Vec3::new(0.0, -50.0, 0.0)] {
             assert!(sees(&camera, point), "{point} from {camera:?}");
         }
         // A sphere alone is framed, whatever its size, and so is one around a point.
         for radius in [1e-30, 1.0, 1e6, 1e30] {
-            let camera = Camera::framing(&Scene::new(vec![spheres(&[(Vec3::ZERO, 0.0), (Vec3::ZERO, radius)])]));
+            let camera = Camera::framing(
+                &Scene::new(vec![spheres(&[(Vec3::ZERO, 0.0), (Vec3::ZERO, radius)])]).expect("a valid scene"),
+            );
             assert!(sees(&camera, Vec3::Y * radius) && sees(&camera, Vec3::X * radius), "{camera:?}");
         }
     }
@@ -228,20 +231,24 @@ mod tests {
     fn vertices_without_a_triangle_are_not_framed() {
         let corners = [Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh { vertices: [&corners[..], &[Vec3::splat(1e9)]].concat(), triangles: vec![[0, 1, 2]] };
-        let with = Camera::framing(&Scene::new(vec![Geometry::Mesh(mesh)]));
-        assert_eq!(with, Camera::framing(&Scene::new(vec![triangle(corners)])));
+        let with = Camera::framing(&Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene"));
+        assert_eq!(with, Camera::framing(&Scene::new(vec![triangle(corners)]).expect("a valid scene")));
     }
 
     #[test]
     fn any_finite_scene_has_a_valid_camera() {
         check_valid(&Camera::framing(&Scene::default()));
-        check_valid(&Camera::framing(&Scene::new(vec![spheres(&[]), Geometry::Mesh(Mesh::default())])));
+        check_valid(&Camera::framing(
+            &Scene::new(vec![spheres(&[]), Geometry::Mesh(Mesh::default())]).expect("a valid scene"),
+        ));
         for x in [0.0, f32::from_bits(1), 1e-38, 1e-30, 1.0, 1e6, 1e30, f32::MAX] {
             for v in [x, -x].map(|x| [Vec3::splat(x), Vec3::new(x, 0.0, 0.0), Vec3::new(0.0, -x, x)]).as_flattened() {
-                check_valid(&Camera::framing(&Scene::new(vec![triangle([*v; 3])])));
-                check_valid(&Camera::framing(&Scene::new(vec![triangle([*v, -*v, Vec3::ZERO])])));
+                check_valid(&Camera::framing(&Scene::new(vec![triangle([*v; 3])]).expect("a valid scene")));
+                check_valid(&Camera::framing(
+                    &Scene::new(vec![triangle([*v, -*v, Vec3::ZERO])]).expect("a valid scene"),
+                ));
                 for radius in [0.0, 1e-30, 1.0, f32::MAX] {
-                    check_valid(&Camera::framing(&Scene::new(vec![spheres(&[(*v, radius)])])));
+                    check_valid(&Camera::framing(&Scene::new(vec![spheres(&[(*v, radius)])]).expect("a valid scene")));
                 }
             }
         }
@@ -262,14 +269,14 @@ mod tests {
             table in prop::collection::vec(prop::array::uniform4(prop::num::f32::NORMAL | prop::num::f32::SUBNORMAL), 0..6),
         ) {
             let table: Vec<_> = table.iter().map(|&[x, y, z, r]| (Vec3::new(x, y, z), r.abs())).collect();
-            check_valid(&Camera::framing(&Scene::new(vec![spheres(&table)])));
+            check_valid(&Camera::framing(&Scene::new(vec![spheres(&table)]).expect("a valid scene")));
         }
     }
 
     #[test]
     fn framing_sees_every_vertex() {
         let corners = [Vec3::new(-3.0, 2.0, 1.0), Vec3::new(5.0, -1.0, 0.0), Vec3::new(0.0, 0.0, 7.0)];
-        let camera = Camera::framing(&Scene::new(vec![triangle(corners)]));
+        let camera = Camera::framing(&Scene::new(vec![triangle(corners)]).expect("a valid scene"));
         assert!(corners.iter().all(|&corner| sees(&camera, corner)), "{camera:?}");
         assert!(!sees(&camera, *corners.last().unwrap() * 10.0), "the check sees everything");
     }

@@ -21,6 +21,8 @@
 //! assert_eq!(ray.at(2.0), triangle.point(0.25, 0.5));
 //! ```
 
+pub use glam;
+
 mod camera;
 mod hit;
 mod kind;
@@ -32,10 +34,10 @@ mod sphere;
 mod triangle;
 
 pub use camera::{Camera, Pixels};
-pub use hit::{Hit, MISS, Undecided};
+pub use hit::{FlatHit, Hit, MISS, Undecided};
 pub use kind::{Kind, Kinds};
 pub use precision::{NotAPrecision, Precision};
-pub use ray::{Ray, RayFault};
-pub use scene::{Geometry, Mesh, Primitive, Scene};
+pub use ray::{INVALID_RAY, InvalidRays, Ray, RayFault};
+pub use scene::{Geometry, InvalidScene, Mesh, Numbering, Primitive, PrimitiveFault, Scene};
 pub use sphere::Sphere;
 pub use triangle::Triangle;

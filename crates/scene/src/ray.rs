@@ -21,8 +21,8 @@ pub struct Ray {
 impl Ray {
     /// The ray from `origin` along `direction` over `0 <= t <= inf`.
     #[must_use]
-    pub const fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self { origin, t_min: 0.0, direction, t_max: f32::INFINITY }
+    pub fn new(origin: impl Into<Vec3>, direction: impl Into<Vec3>) -> Self {
+        Self { origin: origin.into(), t_min: 0.0, direction: direction.into(), t_max: f32::INFINITY }
     }
 
     /// The point `p(t) = e + t d`, rounded.
@@ -64,3 +64,16 @@ pub enum RayFault {
     #[error("the range is empty or not a number; give t_min <= t_max (either may be infinite)")]
     Range,
 }
+
+/// What becomes of a ray that is none (see [`Ray::fault`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum InvalidRays {
+    /// An error, which says which is the first and how many there are.
+    #[default]
+    Error,
+    /// It hits nothing, and is counted.
+    Miss,
+}
+
+/// What stands in for a bad ray: finite, and with an empty range, so that nothing can be hit.
+pub const INVALID_RAY: Ray = Ray { origin: Vec3::ZERO, t_min: 1.0, direction: Vec3::X, t_max: 0.0 };

@@ -12,6 +12,12 @@ pub struct Sphere {
 }
 
 impl Sphere {
+    /// The sphere of a centre and a radius.
+    #[must_use]
+    pub fn new(center: impl Into<Vec3>, radius: f32) -> Self {
+        Self { center: center.into(), radius }
+    }
+
     /// The implicit function `f(p) = (p - c).(p - c) - r^2`: negative inside, zero on the surface, positive outside.
     #[must_use]
     pub fn f(&self, p: Vec3) -> f32 {

@@ -303,7 +303,7 @@ mod tests {
 
     fn scene_of(coordinates: &[f32]) -> Scene {
         let vertices = coordinates.iter().map(|&x| Vec3::new(x, 0.0, 0.0)).collect();
-        Scene::new(vec![Geometry::Mesh(Mesh { vertices, triangles: vec![] })])
+        Scene::new(vec![Geometry::Mesh(Mesh { vertices, triangles: vec![] })]).expect("a valid scene")
     }
 
     #[test]
@@ -337,7 +337,7 @@ mod tests {
     #[test]
     fn small_primitives_keep_their_squares() {
         let ball = |x: f32, radius: f32| Sphere { center: Vec3::new(x, 0.0, 0.0), radius };
-        let scene = |spheres: Vec<Sphere>| Scene::new(vec![Geometry::Spheres(spheres)]);
+        let scene = |spheres: Vec<Sphere>| Scene::new(vec![Geometry::Spheres(spheres)]).expect("a valid scene");
         // 2^100 wants 2^-80; a ball of 2^-10 has room for 50.
         let large = ball(2.0_f32.powi(100), 2.0_f32.powi(90));
         assert_eq!(scale_exponent(&scene(vec![large]), NEAR), -80);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage, Rect, TextureHandle, TextureOptions, Vec2, pos2};
 use glam::Vec3;
 use rayproof::Precision;
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 
 use crate::model::look::Look;
 use crate::model::paint::Figures;
@@ -76,8 +76,8 @@ impl Canvas {
     pub(crate) fn focus(&mut self, context: &egui::Context, world: &Arc<World>, ray: Ray) {
         let world = world.clone();
         self.focusing = Some(Task::start(context, move || {
-            let mut hit = [Hit::MISS];
-            world.on_cpu(Precision::Exact).ok()?.closest(&[ray], &mut hit).ok()?;
+            let mut hit = [FlatHit::MISS];
+            world.on_cpu(Precision::Exact).ok()?.closest_flat(&[ray], &mut hit).ok()?;
             hit[0].is_hit().then(|| ray.at(hit[0].t)).filter(|point| point.is_finite())
         }));
     }

@@ -1,6 +1,6 @@
 //! Family by family against the oracle: the same primitive, every number correctly rounded, every crossing counted.
 
-use rayproof::scene::{Hit, Ray, Undecided};
+use rayproof::scene::{FlatHit, Ray, Undecided};
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::{ExactHit, Oracle};
 
@@ -22,14 +22,14 @@ struct Tally {
 
 /// The exact answers to a ray.
 struct Truth {
-    hit: Hit,
+    hit: FlatHit,
     count: u32,
 }
 
 fn compare(case: &Case, tally: &mut Tally) {
     let engines = Engines::new(&case.scene);
     let truth = Oracle::new(&case.scene).batch(&case.rays, |oracle: &Oracle, ray: &Ray| Truth {
-        hit: oracle.closest(ray).as_ref().map_or(Hit::MISS, ExactHit::to_hit),
+        hit: oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit),
         count: oracle.count(ray),
     });
     let cpu = engines.on_cpu(&case.rays);

@@ -49,7 +49,7 @@ fn embree_423_reports_no_collision_of_distant_triangles() {
         let other = [near(far), near(far), near(far)];
         let rays = [0, 1, 2].map(|i| Ray { t_max: 1.0, ..Ray::new(other[i], other[(i + 1) % 3] - other[i]) });
         let mesh = Mesh { vertices, triangles: vec![[0, 1, 2]] };
-        assert!(both(&Scene::new(vec![Geometry::Mesh(mesh)]), &rays).iter().all(all_miss));
+        assert!(both(&Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene"), &rays).iter().all(all_miss));
     }
 }
 
@@ -98,7 +98,7 @@ fn pbrt_watertight_lets_no_ray_out() {
             Ray::new(origin, if i % 2 == 0 { vertex - origin } else { point() })
         })
         .collect();
-    for answers in both(&Scene::new(vec![Geometry::Mesh(mesh.clone())]), &rays) {
+    for answers in both(&Scene::new(vec![Geometry::Mesh(mesh.clone())]).expect("a valid scene"), &rays) {
         assert!(answers.hits.iter().all(|hit| hit.is_hit()) && answers.counts.iter().all(|count| count % 2 == 1));
     }
     println!("{} rays, 0 out", rays.len());
@@ -147,7 +147,7 @@ fn pbrt_reintersect_meets_nothing_again() {
             let mesh = Mesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] };
             (Geometry::Mesh(mesh), corners.iter().map(|c| c.as_dvec3()).sum::<DVec3>() / 3.0)
         };
-        let scene = Scene::new(vec![geometry]);
+        let scene = Scene::new(vec![geometry]).expect("a valid scene");
         let origin = log_uniform_point(&mut numbers, -8.0, 8.0).as_vec3();
         let ray = Ray::new(origin, (target - origin.as_dvec3()).as_vec3());
         let hit = both(&scene, &[ray])[0].hits[0];

@@ -50,7 +50,7 @@ fn no_ray_leaks_and_every_parity_is_odd() {
                 let placed = meshes::placed(mesh.clone(), size, at);
                 // 54 places of 200,000 each are 10.8 million.
                 let rays = aimed(&placed, inside * size + at, size, rays(4_000, 200_000), &mut numbers);
-                let engines = Engines::new(&Scene::new(vec![Geometry::Mesh(placed)]));
+                let engines = Engines::new(&Scene::new(vec![Geometry::Mesh(placed)]).expect("a valid scene"));
                 for (engine, answers) in [("cpu", Some(engines.on_cpu(&rays))), ("device", engines.on_device(&rays))] {
                     let answers = answers.expect("the scene is plain");
                     for (i, ray) in rays.iter().enumerate() {

@@ -7,7 +7,7 @@ mod spheres;
 mod widths;
 
 use rayproof::Precision;
-use rayproof::scene::{Hit, Ray, Scene, Undecided};
+use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_gpu::Engine as Device;
 use rayproof_tree::{Bvh, Scaling};
@@ -28,7 +28,7 @@ pub(super) struct Engines {
 
 /// Every answer to a ray.
 pub(super) struct Answers {
-    pub(super) hits: Vec<Hit>,
+    pub(super) hits: Vec<FlatHit>,
     pub(super) any: Vec<u8>,
     pub(super) counts: Vec<u32>,
     /// On the way to the closest hits.
@@ -38,7 +38,7 @@ pub(super) struct Answers {
 impl Answers {
     fn none(rays: &[Ray]) -> Self {
         let n = rays.len();
-        let (hits, any, counts) = (vec![Hit::MISS; n], vec![9; n], vec![u32::MAX; n]);
+        let (hits, any, counts) = (vec![FlatHit::MISS; n], vec![9; n], vec![u32::MAX; n]);
         Self { hits, any, counts, undecided: Undecided::default() }
     }
 }
@@ -63,7 +63,7 @@ impl Engines {
         let device = self.device.as_ref()?;
         let mut answers = Answers::none(rays);
         let open = device.closest(rays, &mut answers.hits).expect("the device answers");
-        resolve(&open.rays, rays, &mut answers.hits, Hit::MISS, |rays, hits| self.cpu.closest(rays, hits));
+        resolve(&open.rays, rays, &mut answers.hits, FlatHit::MISS, |rays, hits| self.cpu.closest(rays, hits));
         let left = open.rays.len() as u64;
         answers.undecided = Undecided { first_stage: open.after_first, after_refine: left, resolved_on_cpu: left };
         let open = device.any(rays, &mut answers.any).expect("the device answers");

@@ -1,7 +1,7 @@
 //! Far spheres grazed at the rim, and the ground under an eye.
 
 use glam::Vec3;
-use rayproof::scene::{Geometry, Hit, Ray, Scene, Sphere};
+use rayproof::scene::{FlatHit, Geometry, Ray, Scene, Sphere};
 use rayproof_oracle::{ExactHit, Oracle};
 
 use super::{Engines, rays};
@@ -11,7 +11,7 @@ use crate::scenes::Numbers;
 fn compare(what: &str, scene: &Scene, rays: &[Ray]) -> usize {
     let engines = Engines::new(scene);
     let truth = Oracle::new(scene).batch(rays, |oracle: &Oracle, ray: &Ray| {
-        (oracle.closest(ray).as_ref().map_or(Hit::MISS, ExactHit::to_hit), oracle.count(ray))
+        (oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit), oracle.count(ray))
     });
     for (engine, answers) in [("cpu", Some(engines.on_cpu(rays))), ("device", engines.on_device(rays))] {
         let answers = answers.expect("the scene is plain");
@@ -37,7 +37,8 @@ fn far_spheres_are_right_at_the_rim() {
         for axis in 0..3 {
             let turned = |p: Vec3| Vec3::from([p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]]);
             let center = turned(Vec3::new(distance, 0.0, 0.0));
-            let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center, radius: 1.0 }])]);
+            let scene =
+                Scene::new(vec![Geometry::Spheres(vec![Sphere { center, radius: 1.0 }])]).expect("a valid scene");
             let rays: Vec<Ray> = (0..count / 3 + 1)
                 .map(|i| {
                     let (sin, cos) = (numbers.next() * std::f32::consts::TAU).sin_cos();
@@ -63,7 +64,7 @@ fn far_spheres_are_right_at_the_rim() {
 fn the_ground_is_right_under_the_eye() {
     let mut numbers = Numbers(22);
     let ground = Sphere { center: Vec3::new(0.0, -1e6, 0.0), radius: 1e6 };
-    let scene = Scene::new(vec![Geometry::Spheres(vec![ground])]);
+    let scene = Scene::new(vec![Geometry::Spheres(vec![ground])]).expect("a valid scene");
     let rays: Vec<Ray> = (0..rays(20_000, 1_000_000))
         .map(|_| {
             let mut next = || 2.0 * numbers.next() - 1.0;

@@ -1,7 +1,7 @@
 //! Numbers that this device's measurement does not choose, but another's may: the same bits in the end.
 
 use rayproof::Precision;
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_gpu::{Engine as Device, SecondStage, Width};
 use rayproof_oracle::families;
@@ -27,13 +27,13 @@ struct Tally {
 }
 
 fn compare(rays: &[Ray], bvh: &Bvh, cpu: &Cpu, tallies: &mut [Tally; 4]) {
-    let mut right = vec![Hit::MISS; rays.len()];
+    let mut right = vec![FlatHit::MISS; rays.len()];
     let mut counts = vec![0; rays.len()];
     cpu.closest(rays, &mut right);
     cpu.count(rays, &mut counts);
     for ((first, second), tally) in NUMBERS.into_iter().zip(tallies) {
         let device = Device::with_numbers(gpu(), bvh, first, second).expect("the scene fits the device");
-        let mut hits = vec![Hit::MISS; rays.len()];
+        let mut hits = vec![FlatHit::MISS; rays.len()];
         let open = device.closest(rays, &mut hits).expect("the device answers");
         open.rays.iter().for_each(|&i| hits[i] = right[i]);
         let mut counted = vec![0; rays.len()];

@@ -1,6 +1,6 @@
 //! The walks of single rays, and what each finds.
 
-use rayproof_scene::{Hit, Kind, Ray};
+use rayproof_scene::{FlatHit, Kind, Ray};
 
 use super::{Engine, Path};
 use crate::exact::round;
@@ -23,7 +23,7 @@ use crate::twin::leaf::word::{leaf_kind, place_kind};
 impl Engine {
     /// The hit by the formulas of a precision other than `exact`.
     #[inline(always)]
-    pub(super) fn nearest<F: Formulas, const ANY: bool>(&self, ray: &Ray, stack: &mut Stack) -> Hit {
+    pub(super) fn nearest<F: Formulas, const ANY: bool>(&self, ray: &Ray, stack: &mut Stack) -> FlatHit {
         let unit = unit_direction(ray.direction);
         let ray = F::ray(&self.params, ray, &unit);
         let Primitives { leaves, spheres, sphere_ids, .. } = &*self.primitives;
@@ -91,11 +91,11 @@ impl Engine {
 
     /// The hit of the primitive in a place, which is hit in range.
     #[inline(always)]
-    pub(super) fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> Hit {
+    pub(super) fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> FlatHit {
         let Primitives { scale, scale_exponent, .. } = *self.primitives;
         let ray = SecondRay::new(ray, scale, takes_chords(place_kind(slot)));
         let [t, u, v] = round(&ray, &self.primitives.shape(slot), scale_exponent, &mut path.doubts);
-        Hit { t, u, v, primitive: self.primitives.id(slot) }
+        FlatHit { t, u, v, primitive: self.primitives.id(slot) }
     }
 
     /// The place of the primitive that is hit first.

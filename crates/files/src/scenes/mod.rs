@@ -45,7 +45,21 @@ pub fn load(path: &Path) -> Result<LoadedScene, Error> {
         return scene_file::load(path);
     }
     let mesh = load_mesh(path, "give a scene: .obj, .ply, .stl, .gltf, .glb or .toml")?;
-    Ok(LoadedScene { scene: Scene::new(vec![Geometry::Mesh(mesh)]), camera: None, sources: vec![path.into()] })
+    Ok(LoadedScene { scene: valid(vec![Geometry::Mesh(mesh)], path)?, camera: None, sources: vec![path.into()] })
+}
+
+/// The scene of what was read from a file. Readers refuse with a better place what is no primitive.
+fn valid(geometries: Vec<Geometry>, path: &Path) -> Result<Scene, Error> {
+    Scene::new(geometries).map_err(|e| {
+        let (what, expected) =
+            (e.fault.to_string(), "give finite numbers, radii of zero or more and indices within range");
+        Error::bad(
+            path.display().to_string(),
+            format!("geometry {}, primitive {}", e.geometry, e.primitive),
+            what,
+            expected,
+        )
+    })
 }
 
 /// Reads a mesh by the file's ending; `endings` says which would be right.

@@ -7,9 +7,9 @@ use serde::Deserialize;
 use toml::Value;
 
 use super::faults::{Faults, nearest};
-use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending};
+use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending, valid};
 use crate::Error;
-use rayproof_scene::{Camera, Geometry, Mesh, Scene, Sphere, number};
+use rayproof_scene::{Camera, Geometry, Mesh, Sphere, number};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -59,7 +59,7 @@ pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
     let entries = file.geometry.into_iter().enumerate();
     let geometries = entries.map(|(i, entry)| geometry(&name, folder, i, entry)).collect::<Result<_, _>>()?;
     let camera = file.camera.map(|view| camera(&name, &view)).transpose()?;
-    Ok(LoadedScene { scene: Scene::new(geometries), camera, sources })
+    Ok(LoadedScene { scene: valid(geometries, path)?, camera, sources })
 }
 
 fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometry, Error> {

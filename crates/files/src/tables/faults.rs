@@ -1,22 +1,7 @@
 use std::path::PathBuf;
 
-use glam::Vec3;
-
 use crate::{BadInput, Error};
-use rayproof_scene::Ray;
-
-/// What a reader does with a ray that is none (see [`Ray::fault`]).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum InvalidRays {
-    /// Stop, and say which is the first and how many there are.
-    #[default]
-    Error,
-    /// Hand on [`INVALID_RAY`] in its place, a miss, and count it.
-    Miss,
-}
-
-/// What stands in for a bad ray: finite, and with an empty range, so that nothing can be hit.
-pub const INVALID_RAY: Ray = Ray { origin: Vec3::ZERO, t_min: 1.0, direction: Vec3::X, t_max: 0.0 };
+use rayproof_scene::{INVALID_RAY, InvalidRays, Ray};
 
 /// The bad rays of a file, so far.
 pub(super) struct Faults {

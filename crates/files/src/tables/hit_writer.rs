@@ -1,11 +1,10 @@
-use std::ops::Range;
 use std::path::Path;
 
 use super::BLOCK_ROWS;
 use super::format::Format;
 use super::table::{Kind, Layout, TableWriter};
 use crate::Error;
-use rayproof_scene::{Hit, MISS, Scene};
+use rayproof_scene::Hit;
 
 /// Which question the hits answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,27 +56,20 @@ impl HitWriter {
         Ok(Self { kind, table: TableWriter::create(path, format, kind.layout(), total)?, block: Vec::new() })
     }
 
-    /// Appends the closest hits, whose primitives have the flat numbers of `scene`.
+    /// Appends the closest hits.
     ///
     /// # Errors
     /// [`Error::Io`] where writing fails.
     ///
     /// # Panics
-    /// When the writer is for another [`HitKind`], or a primitive is not in the scene.
-    pub fn write_closest(&mut self, scene: &Scene, hits: &[Hit]) -> Result<(), Error> {
+    /// When the writer is for another [`HitKind`].
+    pub fn write_closest(&mut self, hits: &[Hit]) -> Result<(), Error> {
         self.expect(HitKind::Closest);
-        let mut last = Span { geometry: 0, flat: 0..0 };
         for hits in hits.chunks(BLOCK_ROWS) {
             self.block.clear();
-            for hit in hits {
-                let (geometry, primitive) = match hit.primitive {
-                    MISS => (MISS, MISS),
-                    flat => last.locate(scene, flat),
-                };
-                let hit = if hit.is_hit() { hit } else { &Hit::MISS };
-                let words = [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), geometry, primitive];
-                self.block.extend_from_slice(words.map(u32::to_le_bytes).as_flattened());
-            }
+            self.block.extend(hits.iter().flat_map(|&Hit { t, u, v, geometry, primitive }| {
+                bytes_of_row([t.to_bits(), u.to_bits(), v.to_bits(), geometry, primitive])
+            }));
             self.table.write(&self.block)?;
         }
         Ok(())
@@ -125,21 +117,9 @@ impl HitWriter {
     }
 }
 
-/// The geometry of the last hit: neighbours in a batch mostly hit the same one.
-struct Span {
-    geometry: usize,
-    flat: Range<usize>,
-}
-
-impl Span {
-    #[expect(clippy::cast_possible_truncation, reason = "neither index is above the flat number, which is a u32")]
-    fn locate(&mut self, scene: &Scene, flat: u32) -> (u32, u32) {
-        let flat = flat as usize;
-        if !self.flat.contains(&flat) {
-            let (geometry, primitive) = scene.locate(flat);
-            let start = flat - primitive;
-            *self = Self { geometry, flat: start..start + scene.geometries()[geometry].len() };
-        }
-        (self.geometry as u32, (flat - self.flat.start) as u32)
-    }
+/// The words of a row, little-endian.
+fn bytes_of_row(words: [u32; 5]) -> [u8; 20] {
+    let mut bytes = [0; 20];
+    bytes.as_chunks_mut().0.iter_mut().zip(words).for_each(|(bytes, word)| *bytes = word.to_le_bytes());
+    bytes
 }

@@ -21,7 +21,6 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use faults::{INVALID_RAY, InvalidRays};
 pub use format::Format;
 pub use hit_writer::{HitKind, HitWriter};
 pub use ray_reader::RayReader;

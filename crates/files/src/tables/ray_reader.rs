@@ -3,11 +3,11 @@ use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use super::csv_rays::CsvRays;
-use super::faults::{Faults, InvalidRays};
+use super::faults::Faults;
 use super::format::{Format, is_standard_stream};
 use super::npy_rays::NpyRays;
 use crate::Error;
-use rayproof_scene::Ray;
+use rayproof_scene::{InvalidRays, Ray};
 
 /// Where bytes come from.
 pub(super) type Input = Box<dyn Read + Send>;

@@ -29,7 +29,7 @@ pub(super) fn on_mesh(mesh: Mesh, rays: usize, ray: impl FnMut() -> Ray) -> Case
 
 /// The case of these geometries.
 pub(super) fn on(geometries: Vec<Geometry>, rays: usize, mut ray: impl FnMut() -> Ray) -> Case {
-    Case { rays: (0..rays).map(|_| ray()).collect(), scene: Scene::new(geometries) }
+    Case { rays: (0..rays).map(|_| ray()).collect(), scene: Scene::new(geometries).expect("made of finite numbers") }
 }
 
 /// The mesh of these triangles, which share no vertices.

@@ -1,7 +1,7 @@
 //! Family 42: batches of the sizes where indexing breaks, with answers that name the ray they belong to.
 
 use glam::{DVec3, Vec3};
-use rayproof_scene::{Geometry, Hit, Ray, Scene, Sphere};
+use rayproof_scene::{FlatHit, Geometry, Ray, Scene, Sphere};
 
 use super::Case;
 
@@ -24,17 +24,20 @@ pub fn batch(rays: usize) -> Case {
         // One in seven looks away and misses.
         Ray::new(origin.as_vec3(), if i % 7 == 6 { Vec3::Z } else { Vec3::NEG_Z })
     };
-    Case { scene: Scene::new(vec![Geometry::Spheres(spheres)]), rays: (0..rays).map(ray).collect() }
+    Case {
+        scene: Scene::new(vec![Geometry::Spheres(spheres)]).expect("made of finite numbers"),
+        rays: (0..rays).map(ray).collect(),
+    }
 }
 
 /// The exact closest hit of ray `i` of a [`batch`].
 #[must_use]
-pub fn batch_answer(i: usize) -> Hit {
+pub fn batch_answer(i: usize) -> FlatHit {
     if i % 7 == 6 {
-        return Hit::MISS;
+        return FlatHit::MISS;
     }
     let primitive = u32::try_from(i % SPHERES).unwrap_or(u32::MAX);
-    Hit { t: super::aim::round(distance(i)), u: 0.0, v: 0.0, primitive }
+    FlatHit { t: super::aim::round(distance(i)), u: 0.0, v: 0.0, primitive }
 }
 
 fn center(i: usize) -> DVec3 {

@@ -46,7 +46,7 @@ pub(super) fn margins(draw: &mut Draw, variant: usize, rays: usize) -> Case {
             within(turned(turn, ray), 0.0, t_max)
         })
         .collect();
-    Case { scene: Scene::new(vec![geometry]), rays }
+    Case { scene: Scene::new(vec![geometry]).expect("made of finite numbers"), rays }
 }
 
 /// Units to coordinates: 24 bits or fewer, so nothing is rounded.

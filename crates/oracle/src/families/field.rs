@@ -34,7 +34,7 @@ pub(super) fn recorded(draw: &mut Draw, variant: usize, rays: usize) -> Case {
     let first = if rays < known.len() { draw.below(known.len()) } else { 0 };
     let mut all: Vec<Ray> = known.iter().cycle().skip(first).take(known.len().min(rays)).copied().collect();
     all.extend((all.len()..rays).map(|_| nudged(draw, &known)));
-    Case { scene: Scene::new(vec![geometry]), rays: all }
+    Case { scene: Scene::new(vec![geometry]).expect("made of finite numbers"), rays: all }
 }
 
 /// A recorded ray with up to six slots moved by up to two ulps.
@@ -55,7 +55,7 @@ fn triangle(corners: [[f32; 3]; 3]) -> Geometry {
 }
 
 fn ray(origin: [f32; 3], direction: [f32; 3]) -> Ray {
-    Ray::new(origin.into(), direction.into())
+    Ray::new(origin, direction)
 }
 
 /// pbrt-v4, shapes_test.cpp, Triangle.BadCases: three vertices on one line; no hit.

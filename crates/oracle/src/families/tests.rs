@@ -160,7 +160,7 @@ fn a_batch_tells_each_ray_from_its_neighbours() {
     let case = batch(300);
     let oracle = Oracle::new(&case.scene);
     for (i, ray) in case.rays.iter().enumerate() {
-        let exact = oracle.closest(ray).map_or(rayproof_scene::Hit::MISS, |hit| hit.to_hit());
+        let exact = oracle.closest(ray).map_or(rayproof_scene::FlatHit::MISS, |hit| hit.to_hit());
         assert!(exact.same_bits(&batch_answer(i)), "ray {i}: {exact:?}, {:?}", batch_answer(i));
     }
     // A batch cut or wrapped at a power of two gives a ray another ray's answer: they must differ.

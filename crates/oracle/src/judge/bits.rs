@@ -1,6 +1,6 @@
 use std::fmt;
 
-use rayproof_scene::Hit;
+use rayproof_scene::FlatHit;
 
 use super::case::{bits, show_hit};
 
@@ -31,7 +31,7 @@ pub struct BitComparison {
     /// How many of those differ in any bit.
     pub different: usize,
     /// The first of those: the ray's index and its two rows; at most [`BitComparison::SHOWN`].
-    pub first: Vec<(usize, [Hit; 2])>,
+    pub first: Vec<(usize, [FlatHit; 2])>,
 }
 
 impl BitComparison {
@@ -48,7 +48,7 @@ impl BitComparison {
 
 /// Compares two engines that must agree in every bit, such as a kernel and its twin.
 #[must_use]
-pub fn compare_bits(a: &[Hit], b: &[Hit]) -> BitComparison {
+pub fn compare_bits(a: &[FlatHit], b: &[FlatHit]) -> BitComparison {
     let pairs = || a.iter().zip(b);
     let mut different = pairs().enumerate().filter(|(_, (a, b))| !a.same_bits(b));
     let first: Vec<_> = different.by_ref().take(BitComparison::SHOWN).map(|(i, (a, b))| (i, [*a, *b])).collect();

@@ -1,12 +1,12 @@
 use std::fmt;
 
-use rayproof_scene::{Hit, Primitive, Ray, Scene};
+use rayproof_scene::{FlatHit, Primitive, Ray, Scene};
 
 /// An answer to one ray, of any query.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Answer {
     /// To the query `closest`, with the hit's `(geometry, primitive)` where the scene has it.
-    Closest(Hit, Option<(usize, usize)>),
+    Closest(FlatHit, Option<(usize, usize)>),
     /// To the query `any`: 0 or 1.
     Any(u8),
     /// To the query `count`.
@@ -14,7 +14,7 @@ pub enum Answer {
 }
 
 impl Answer {
-    pub(crate) fn closest(scene: &Scene, hit: Hit) -> Self {
+    pub(crate) fn closest(scene: &Scene, hit: FlatHit) -> Self {
         let flat = hit.primitive as usize;
         Self::Closest(hit, (flat < scene.len()).then(|| scene.locate(flat)))
     }
@@ -50,7 +50,7 @@ pub struct Case {
 
 /// What is left of the primitive's own equation at the answer's point `p = e + t d`, in `f64`: `|f(p)| / r^2` of a sphere's
 /// implicit function `f(p) = (p - c).(p - c) - r^2`, or the distance of `p` from the triangle's `a + u (b - a) + v (c - a)`.
-pub(super) fn residual(scene: &Scene, ray: &Ray, hit: &Hit) -> Option<f64> {
+pub(super) fn residual(scene: &Scene, ray: &Ray, hit: &FlatHit) -> Option<f64> {
     let flat = hit.primitive as usize;
     if flat >= scene.len() {
         return None;
@@ -128,8 +128,8 @@ pub(super) fn bits(x: f32) -> String {
 }
 
 /// A hit in one line.
-pub(super) fn show_hit(hit: &Hit) -> String {
-    let Hit { t, u, v, primitive } = *hit;
+pub(super) fn show_hit(hit: &FlatHit) -> String {
+    let FlatHit { t, u, v, primitive } = *hit;
     let id = if hit.is_hit() { format!("hit {primitive}") } else { "miss".to_owned() };
     format!("{id}  t {}  u {}  v {}", bits(t), bits(u), bits(v))
 }
@@ -146,13 +146,13 @@ mod tests {
         let vertices = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
         let mesh = Mesh { vertices, triangles: vec![[0, 1, 2]] };
         let ball = Sphere { center: Vec3::ZERO, radius: 5.0 };
-        let scene = Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(vec![ball])]);
+        let scene = Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(vec![ball])]).expect("a valid scene");
         let ray = Ray::new(Vec3::new(0.25, 0.5, -13.0), Vec3::Z);
-        let triangle = |t: f32| residual(&scene, &ray, &Hit { t, u: 0.25, v: 0.5, primitive: 0 });
+        let triangle = |t: f32| residual(&scene, &ray, &FlatHit { t, u: 0.25, v: 0.5, primitive: 0 });
         assert_eq!((triangle(13.0), triangle(12.5)), (Some(0.0), Some(0.5)));
         let axis = Ray::new(Vec3::new(0.0, 0.0, -13.0), Vec3::Z);
-        let sphere = |t: f32| residual(&scene, &axis, &Hit { t, u: 0.0, v: 0.0, primitive: 1 });
+        let sphere = |t: f32| residual(&scene, &axis, &FlatHit { t, u: 0.0, v: 0.0, primitive: 1 });
         assert_eq!((sphere(8.0), sphere(9.0)), (Some(0.0), Some(0.36)));
-        assert_eq!(residual(&scene, &ray, &Hit::MISS), None);
+        assert_eq!(residual(&scene, &ray, &FlatHit::MISS), None);
     }
 }

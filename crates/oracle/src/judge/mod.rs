@@ -24,7 +24,7 @@ mod triangle;
 use std::cmp::Ordering;
 
 use dashu_ratio::RBig;
-use rayproof_scene::{Hit, Ray};
+use rayproof_scene::{FlatHit, Ray};
 
 use self::case::residual;
 use self::promise::{Promise, ROUNDOFF};
@@ -89,9 +89,9 @@ impl std::fmt::Display for Verdict {
 
 /// Judges an answer to the query `closest`.
 #[must_use]
-pub fn judge_closest(oracle: &Oracle, ray: &Ray, answer: &Hit) -> Verdict {
+pub fn judge_closest(oracle: &Oracle, ray: &Ray, answer: &FlatHit) -> Verdict {
     let hits = oracle.all(ray);
-    let exact = hits.first().map_or(Hit::MISS, ExactHit::to_hit);
+    let exact = hits.first().map_or(FlatHit::MISS, ExactHit::to_hit);
     let case = || {
         let residual = residual(oracle.scene(), ray, answer);
         let [exact, answer] = [exact, *answer].map(|hit| Answer::closest(oracle.scene(), hit));
@@ -110,10 +110,10 @@ pub fn judge_closest(oracle: &Oracle, ray: &Ray, answer: &Hit) -> Verdict {
 }
 
 /// How much of the bound is used by an answer that is exact; `None` for another that is within the promise.
-fn compare_closest(oracle: &Oracle, ray: &Ray, answer: &Hit, hits: &[ExactHit]) -> Result<Option<f64>, Fault> {
+fn compare_closest(oracle: &Oracle, ray: &Ray, answer: &FlatHit, hits: &[ExactHit]) -> Result<Option<f64>, Fault> {
     let exact = hits.first();
     if !answer.is_hit() {
-        if !answer.same_bits(&Hit::MISS) {
+        if !answer.same_bits(&FlatHit::MISS) {
             return Err(if is_nan(answer) { Fault::NotANumber } else { Fault::MalformedMiss });
         }
         clear_hit(oracle, ray, hits, None)?;
@@ -171,8 +171,8 @@ pub fn judge_count(oracle: &Oracle, ray: &Ray, answer: u32) -> Verdict {
 }
 
 /// What a hit must look like, whatever the scene.
-fn check_form(oracle: &Oracle, ray: &Ray, answer: &Hit) -> Result<Promise, Fault> {
-    let Hit { t, u, v, primitive } = *answer;
+fn check_form(oracle: &Oracle, ray: &Ray, answer: &FlatHit) -> Result<Promise, Fault> {
+    let FlatHit { t, u, v, primitive } = *answer;
     if is_nan(answer) {
         return Err(Fault::NotANumber);
     }
@@ -230,6 +230,6 @@ fn possible_hits(oracle: &Oracle, ray: &Ray) -> usize {
         .sum()
 }
 
-fn is_nan(hit: &Hit) -> bool {
+fn is_nan(hit: &FlatHit) -> bool {
     hit.t.is_nan() || hit.u.is_nan() || hit.v.is_nan()
 }

@@ -1,4 +1,4 @@
-use rayproof_scene::{Hit, Primitive, Ray};
+use rayproof_scene::{FlatHit, Primitive, Ray};
 
 use super::{sphere, triangle};
 use crate::{ExactHit, Oracle, Root};
@@ -33,7 +33,7 @@ impl Promise {
         Self::new(ray, &oracle.scene().primitive(flat as usize))
     }
 
-    pub(super) fn claim(&self, hit: &Hit) -> f64 {
+    pub(super) fn claim(&self, hit: &FlatHit) -> f64 {
         match self {
             Self::Triangle(promise) => promise.claim(hit),
             Self::Sphere(promise) => promise.claim(hit),

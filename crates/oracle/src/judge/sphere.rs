@@ -25,7 +25,7 @@
 //! Underflow adds [`TINY`] to squares and lengths; where squares may overflow nothing is promised. All this is
 //! evaluated in `f64`, whose own errors are 2^-28 of the bounds.
 
-use rayproof_scene::{Hit, Ray, Sphere};
+use rayproof_scene::{FlatHit, Ray, Sphere};
 
 use super::promise::{HUGE, ROUNDOFF, TINY, ends};
 
@@ -97,7 +97,7 @@ impl Promise {
     }
 
     /// The largest error over its bound of the claim that the ray hits the sphere here.
-    pub(super) fn claim(&self, hit: &Hit) -> f64 {
+    pub(super) fn claim(&self, hit: &FlatHit) -> f64 {
         if self.beyond {
             return 0.0;
         }

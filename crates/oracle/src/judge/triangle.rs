@@ -47,7 +47,7 @@
 //! All this is evaluated in `f64`, whose own errors are 2^-29 of the bounds; they are inside the slack of `K`.
 
 use glam::DVec3;
-use rayproof_scene::{Hit, Ray, Triangle};
+use rayproof_scene::{FlatHit, Ray, Triangle};
 
 use super::promise::{HUGE, ROUNDOFF, TINY, ends};
 
@@ -102,7 +102,7 @@ impl Promise {
     }
 
     /// The largest error over its bound of the claim that the ray hits the triangle here.
-    pub(super) fn claim(&self, hit: &Hit) -> f64 {
+    pub(super) fn claim(&self, hit: &FlatHit) -> f64 {
         if self.beyond {
             return 0.0;
         }

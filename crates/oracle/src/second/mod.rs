@@ -11,7 +11,7 @@ mod reject;
 use std::cmp::Ordering;
 
 use rayon::prelude::*;
-use rayproof_scene::{Hit, Primitive, Ray, Scene};
+use rayproof_scene::{FlatHit, Primitive, Ray, Scene};
 
 use self::place::{Known, Line, Place, PlaneHit, roots, weight};
 use crate::{ExactHit, Oracle};
@@ -26,7 +26,7 @@ pub struct SecondOracle<'s> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SecondAnswer {
     /// The closest hit, its numbers rounded to the nearest `f32`.
-    pub hit: Hit,
+    pub hit: FlatHit,
     /// How often the surface is crossed.
     pub count: u32,
 }
@@ -47,7 +47,7 @@ pub struct Agreement {
 /// The closest hit so far.
 struct Closest {
     t: Place,
-    hit: Hit,
+    hit: FlatHit,
 }
 
 impl<'s> SecondOracle<'s> {
@@ -73,14 +73,14 @@ impl<'s> SecondOracle<'s> {
                         if plane.inside && holds(ray, &plane.t)? {
                             count += u32::from(plane.crosses);
                             let [u, v] = [weight(&plane.u)?, weight(&plane.v)?];
-                            closest = nearer(closest, plane.t, Hit { t: 0.0, u, v, primitive: number })?;
+                            closest = nearer(closest, plane.t, FlatHit { t: 0.0, u, v, primitive: number })?;
                         }
                     }
                     Primitive::Sphere(sphere) if !reject::misses_sphere(ray, &sphere) => {
                         for t in roots(&line, &sphere)? {
                             if holds(ray, &t)? {
                                 count += 1;
-                                closest = nearer(closest, t, Hit { t: 0.0, u: 0.0, v: 0.0, primitive: number })?;
+                                closest = nearer(closest, t, FlatHit { t: 0.0, u: 0.0, v: 0.0, primitive: number })?;
                             }
                         }
                     }
@@ -89,8 +89,8 @@ impl<'s> SecondOracle<'s> {
             }
         }
         let hit = match closest {
-            Some(Closest { t, hit }) => Hit { t: t.nearest()?, ..hit },
-            None => Hit::MISS,
+            Some(Closest { t, hit }) => FlatHit { t: t.nearest()?, ..hit },
+            None => FlatHit::MISS,
         };
         Some(SecondAnswer { hit, count })
     }
@@ -104,7 +104,7 @@ fn holds(ray: &Ray, t: &Place) -> Known<bool> {
 }
 
 /// The closer of two; of equal ones the first, which has the lower number.
-fn nearer(before: Option<Closest>, t: Place, hit: Hit) -> Known<Option<Closest>> {
+fn nearer(before: Option<Closest>, t: Place, hit: FlatHit) -> Known<Option<Closest>> {
     let Some(before) = before else { return Some(Some(Closest { t, hit })) };
     // Estimates a millionth apart are in order: they are good to some fifty bits.
     let (old, new) = (before.t.estimate(), t.estimate());
@@ -116,7 +116,7 @@ fn nearer(before: Option<Closest>, t: Place, hit: Hit) -> Known<Option<Closest>>
 /// Asks both oracles about every ray.
 #[must_use]
 pub fn compare(scene: &Scene, rays: &[Ray]) -> Agreement {
-    let closest = |oracle: &Oracle, ray: &Ray| oracle.closest(ray).as_ref().map_or(Hit::MISS, ExactHit::to_hit);
+    let closest = |oracle: &Oracle, ray: &Ray| oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit);
     compare_hits(scene, rays, &Oracle::new(scene).batch(rays, closest))
 }
 
@@ -125,10 +125,10 @@ pub fn compare(scene: &Scene, rays: &[Ray]) -> Agreement {
 /// # Panics
 /// When `rays` and `hits` differ in length.
 #[must_use]
-pub fn compare_hits(scene: &Scene, rays: &[Ray], hits: &[Hit]) -> Agreement {
+pub fn compare_hits(scene: &Scene, rays: &[Ray], hits: &[FlatHit]) -> Agreement {
     assert_eq!(rays.len(), hits.len(), "one hit a ray");
     let (first, second) = (Oracle::new(scene), SecondOracle::new(scene));
-    let one = |(ray, hit): (&Ray, &Hit)| judge(ray, *hit, first.count(ray), second.answer(ray));
+    let one = |(ray, hit): (&Ray, &FlatHit)| judge(ray, *hit, first.count(ray), second.answer(ray));
     rays.par_iter().zip(hits).map(one).reduce(Agreement::default, Agreement::with)
 }
 
@@ -146,7 +146,7 @@ impl Agreement {
 }
 
 /// One ray.
-fn judge(ray: &Ray, exact: Hit, count: u32, second: Option<SecondAnswer>) -> Agreement {
+fn judge(ray: &Ray, exact: FlatHit, count: u32, second: Option<SecondAnswer>) -> Agreement {
     let Some(second) = second else { return Agreement { beyond: 1, ..Agreement::default() } };
     let agrees = exact.same_bits(&second.hit) && count == second.count;
     let first =

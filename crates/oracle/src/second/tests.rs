@@ -35,14 +35,14 @@ fn a_damaged_answer_is_a_disagreement() {
     for ray in &case.rays {
         let exact = first.closest(ray).expect("is aimed at a vertex").to_hit();
         let (count, answer) = (first.count(ray), second.answer(ray).expect("within range"));
-        let judged = |hit: Hit, count: u32| judge(ray, hit, count, Some(answer));
+        let judged = |hit: FlatHit, count: u32| judge(ray, hit, count, Some(answer));
         assert_eq!((judged(exact, count).disagreed, judged(exact, count).compared), (0, 1));
         let damaged = [
-            Hit { t: exact.t.next_up(), ..exact },
-            Hit { u: exact.u + 1e-7, ..exact },
-            Hit { v: exact.v + 1e-7, ..exact },
-            Hit { primitive: exact.primitive + 1, ..exact },
-            Hit::MISS,
+            FlatHit { t: exact.t.next_up(), ..exact },
+            FlatHit { u: exact.u + 1e-7, ..exact },
+            FlatHit { v: exact.v + 1e-7, ..exact },
+            FlatHit { primitive: exact.primitive + 1, ..exact },
+            FlatHit::MISS,
         ];
         for hit in damaged {
             let found = judged(hit, count);
@@ -121,7 +121,7 @@ fn small_numbers(number: u64) -> (Scene, Vec<Ray>) {
         1 => vec![spheres],
         _ => vec![mesh, spheres],
     };
-    (Scene::new(geometries), rays)
+    (Scene::new(geometries).expect("a valid scene"), rays)
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn both_oracles_agree_on_small_whole_numbers_of_any_scale() {
     for number in 0..2_000 {
         let (scene, rays) = small_numbers(number);
         let second = SecondOracle::new(&scene);
-        hits += rays.iter().filter_map(|ray| second.answer(ray)).filter(|answer| answer.hit != Hit::MISS).count();
+        hits += rays.iter().filter_map(|ray| second.answer(ray)).filter(|answer| answer.hit != FlatHit::MISS).count();
         all = all.with(compare(&scene, &rays));
     }
     println!("{} compared, {hits} hit, {} beyond", all.compared, all.beyond);

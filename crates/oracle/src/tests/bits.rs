@@ -1,6 +1,6 @@
 //! Comparison bit by bit.
 
-use rayproof_scene::Hit;
+use rayproof_scene::FlatHit;
 
 use crate::judge::{compare_bits, ulp_distance};
 
@@ -16,25 +16,28 @@ fn ulps_are_counted_across_zero() {
 
 #[test]
 fn every_bit_is_compared() {
-    let good =
-        vec![Hit { t: 1.0, u: 0.25, v: 0.5, primitive: 7 }, Hit::MISS, Hit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 }];
+    let good = vec![
+        FlatHit { t: 1.0, u: 0.25, v: 0.5, primitive: 7 },
+        FlatHit::MISS,
+        FlatHit { t: 2.0, u: 0.0, v: 0.0, primitive: 0 },
+    ];
     let same = compare_bits(&good, &good.clone());
     assert_eq!((same.compared, same.hits, same.different), (3, 2, 0));
     assert!(same.agrees(2) && !same.agrees(3));
 
-    let damaged = |i: usize, hit: Hit| {
+    let damaged = |i: usize, hit: FlatHit| {
         let mut rows = good.clone();
         rows[i] = hit;
         compare_bits(&good, &rows)
     };
     for (i, hit) in [
-        (0, Hit { t: 1.0_f32.next_up(), ..good[0] }),
-        (0, Hit { u: 0.5, v: 0.25, ..good[0] }),
-        (0, Hit { primitive: 8, ..good[0] }),
-        (0, Hit::MISS),
+        (0, FlatHit { t: 1.0_f32.next_up(), ..good[0] }),
+        (0, FlatHit { u: 0.5, v: 0.25, ..good[0] }),
+        (0, FlatHit { primitive: 8, ..good[0] }),
+        (0, FlatHit::MISS),
         (1, good[0]),
-        (1, Hit { t: f32::NAN, ..Hit::MISS }),
-        (2, Hit { u: -0.0, ..good[2] }),
+        (1, FlatHit { t: f32::NAN, ..FlatHit::MISS }),
+        (2, FlatHit { u: -0.0, ..good[2] }),
     ] {
         let found = damaged(i, hit);
         let [(row, [a, b])] = found.first[..] else { panic!("{found}") };
@@ -43,8 +46,8 @@ fn every_bit_is_compared() {
     }
     assert!(!compare_bits(&good, &good[..2]).agrees(0), "a missing row");
     assert!(!compare_bits(&[], &[]).agrees(1), "nothing was judged");
-    let many = compare_bits(&[Hit::MISS; 20], &[good[0]; 20]);
+    let many = compare_bits(&[FlatHit::MISS; 20], &[good[0]; 20]);
     assert_eq!((many.different, many.first.len()), (20, 8));
-    let shown = damaged(0, Hit { t: 1.0_f32.next_up(), ..good[0] }).to_string();
+    let shown = damaged(0, FlatHit { t: 1.0_f32.next_up(), ..good[0] }).to_string();
     assert!(shown.contains("0x3f800000 1.0 against 0x3f800001 1.0000001, 1 ULP"), "{shown}");
 }

@@ -50,7 +50,7 @@ fn targets(mesh: &Mesh) -> Vec<Vec3> {
 }
 
 fn scene(mesh: &Mesh) -> Scene {
-    Scene::new(vec![Geometry::Mesh(mesh.clone())])
+    Scene::new(vec![Geometry::Mesh(mesh.clone())]).expect("a valid scene")
 }
 
 #[test]

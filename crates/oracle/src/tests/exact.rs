@@ -2,7 +2,7 @@
 
 use dashu_ratio::{RBig, Relaxed};
 use glam::Vec3;
-use rayproof_scene::{Hit, Primitive, Ray, Scene, Sphere, Triangle};
+use rayproof_scene::{FlatHit, Primitive, Ray, Scene, Sphere, Triangle};
 
 use super::{Random, hard_sphere, hard_triangle, mesh, sphere_scene, triangle_scene};
 use crate::{
@@ -12,16 +12,16 @@ use crate::{
 
 const UNIT: Triangle = Triangle { a: Vec3::ZERO, b: Vec3::X, c: Vec3::Y };
 
-fn closest(scene: &Scene, ray: &Ray) -> Hit {
-    Oracle::new(scene).closest(ray).map_or(Hit::MISS, |hit| hit.to_hit())
+fn closest(scene: &Scene, ray: &Ray) -> FlatHit {
+    Oracle::new(scene).closest(ray).map_or(FlatHit::MISS, |hit| hit.to_hit())
 }
 
-fn hit(t: f32, u: f32, v: f32, primitive: u32) -> Hit {
-    Hit { t, u, v, primitive }
+fn hit(t: f32, u: f32, v: f32, primitive: u32) -> FlatHit {
+    FlatHit { t, u, v, primitive }
 }
 
 fn ray(origin: [f32; 3], direction: [f32; 3]) -> Ray {
-    Ray::new(origin.into(), direction.into())
+    Ray::new(origin, direction)
 }
 
 #[test]
@@ -34,7 +34,7 @@ fn triangles_are_closed_and_have_two_faces() {
     }
     let outside = [(0.0_f32.next_down(), 0.0), (1.0_f32.next_up(), 0.0), (0.5, 0.5_f32.next_up())];
     for (x, y) in outside {
-        assert_eq!(closest(&scene, &ray([x, y, 2.0], [0.0, 0.0, -1.0])), Hit::MISS);
+        assert_eq!(closest(&scene, &ray([x, y, 2.0], [0.0, 0.0, -1.0])), FlatHit::MISS);
     }
 }
 
@@ -46,18 +46,18 @@ fn a_ray_in_the_plane_and_a_triangle_without_area_are_misses() {
         ray([0.25, 0.25, 0.0], [1.0, 1.0, 0.0]),
     ];
     for ray in in_plane {
-        assert_eq!(closest(&triangle_scene(&[UNIT]), &ray), Hit::MISS);
+        assert_eq!(closest(&triangle_scene(&[UNIT]), &ray), FlatHit::MISS);
     }
     let flat = [[Vec3::ZERO; 3], [Vec3::ZERO, Vec3::X, Vec3::X], [Vec3::ZERO, Vec3::X, Vec3::X * 3.0]];
     for [a, b, c] in flat {
         let scene = triangle_scene(&[Triangle { a, b, c }]);
-        assert_eq!(closest(&scene, &ray([0.0, 0.0, 1.0], [0.0, 0.0, -1.0])), Hit::MISS);
+        assert_eq!(closest(&scene, &ray([0.0, 0.0, 1.0], [0.0, 0.0, -1.0])), FlatHit::MISS);
     }
     // pbrt-v4's BadCases: x and z of the vertices are all equal.
     let [a, b, c] = [-79.049_614, -87.092_27, -79.209_015].map(|y| Vec3::new(-1_113.454_6, y, -56.243_19));
     let bad =
         Ray { t_max: 0.9999, ..ray([-1_081.479_2, 99.999_954, 87.770_11], [-32.107_3, -183.355_87, -144.607_64]) };
-    assert_eq!(closest(&triangle_scene(&[Triangle { a, b, c }]), &bad), Hit::MISS);
+    assert_eq!(closest(&triangle_scene(&[Triangle { a, b, c }]), &bad), FlatHit::MISS);
 }
 
 #[test]
@@ -73,10 +73,10 @@ fn both_roots_of_a_sphere_count() {
     let tangent = ray([-2.0, 5.0, 0.0], [1.0, 0.0, 0.0]);
     assert_eq!(Oracle::new(&scene).all(&tangent).len(), 1);
     assert_eq!(closest(&scene, &tangent), hit(2.0, 0.0, 0.0, 0));
-    assert_eq!(closest(&scene, &ray([-2.0, 5.0_f32.next_up(), 0.0], [1.0, 0.0, 0.0])), Hit::MISS);
+    assert_eq!(closest(&scene, &ray([-2.0, 5.0_f32.next_up(), 0.0], [1.0, 0.0, 0.0])), FlatHit::MISS);
     let point = sphere_scene(&[Sphere { center: Vec3::ONE, radius: 0.0 }]);
     assert_eq!(closest(&point, &ray([0.0; 3], [0.5; 3])), hit(2.0, 0.0, 0.0, 0));
-    assert_eq!(closest(&point, &ray([0.0; 3], [1.0, 1.0, 1.0_f32.next_up()])), Hit::MISS);
+    assert_eq!(closest(&point, &ray([0.0; 3], [1.0, 1.0, 1.0_f32.next_up()])), FlatHit::MISS);
 }
 
 #[test]
@@ -97,9 +97,9 @@ fn the_range_holds_its_ends() {
     assert!(f64::from(root) < std::f64::consts::SQRT_2);
     let chord = ray([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]);
     assert_eq!(closest(&ball, &Ray { t_max: root.next_up(), ..chord }).t, root);
-    assert_eq!(closest(&ball, &Ray { t_max: root, ..chord }), Hit::MISS);
+    assert_eq!(closest(&ball, &Ray { t_max: root, ..chord }), FlatHit::MISS);
     assert_eq!(closest(&ball, &Ray { t_min: root, ..chord }).t, root);
-    assert_eq!(closest(&ball, &Ray { t_min: root.next_up(), ..chord }), Hit::MISS);
+    assert_eq!(closest(&ball, &Ray { t_min: root.next_up(), ..chord }), FlatHit::MISS);
 }
 
 #[test]
@@ -110,7 +110,8 @@ fn ties_go_to_the_lowest_number_across_geometries() {
         mesh(&[Triangle { a: Vec3::Z * 9.0, ..UNIT }]),
         rayproof_scene::Geometry::Spheres(vec![ball, ball]),
         mesh(&[UNIT, UNIT]),
-    ]);
+    ])
+    .expect("a valid scene");
     let down = Ray { t_min: 0.0, ..ray([0.25, 0.25, 1.0], [0.0, 0.0, -1.0]) };
     let all: Vec<_> = Oracle::new(&scene).all(&down).iter().map(|h| (h.to_hit().t, h.primitive)).collect();
     assert_eq!(all, [(1.0, 1), (1.0, 2), (1.0, 3), (1.0, 4), (3.0, 1), (3.0, 2)]);
@@ -125,7 +126,7 @@ fn a_faulty_ray_hits_nothing_and_a_huge_t_is_infinite() {
     for bad in
         [Ray { direction: Vec3::ZERO, ..good }, Ray { t_min: f32::NAN, ..good }, Ray { t_min: 2.0, t_max: 1.0, ..good }]
     {
-        assert_eq!(closest(&scene, &bad), Hit::MISS);
+        assert_eq!(closest(&scene, &bad), FlatHit::MISS);
         assert_eq!(Oracle::new(&scene).count(&bad), 0);
     }
 }
@@ -204,7 +205,7 @@ fn queries_agree_with_each_other() {
     let mut random = Random::new(0x5eed_0005);
     let pairs: Vec<_> = (0..60).map(|_| (hard_triangle(&mut random), hard_sphere(&mut random))).collect();
     let (triangles, spheres): (Vec<_>, Vec<_>) = pairs.iter().map(|(t, s)| (t.0, s.0)).unzip();
-    let scene = Scene::new(vec![mesh(&triangles), rayproof_scene::Geometry::Spheres(spheres)]);
+    let scene = Scene::new(vec![mesh(&triangles), rayproof_scene::Geometry::Spheres(spheres)]).expect("a valid scene");
     let oracle = Oracle::new(&scene);
     let rays: Vec<_> = pairs.iter().flat_map(|(t, s)| [t.1, s.1]).collect();
     let closest = oracle.batch(&rays, Oracle::closest);

@@ -1,7 +1,7 @@
 //! The two single-precision methods whose roundings the judge counts, written straight from their formulas.
 
 use glam::Vec3;
-use rayproof_scene::{Hit, Primitive, Ray, Scene, Sphere, Triangle};
+use rayproof_scene::{FlatHit, Primitive, Ray, Scene, Sphere, Triangle};
 
 /// Moeller and Trumbore's method on origin-shifted vertices.
 fn triangle(ray: &Ray, triangle: &Triangle) -> Option<[f32; 3]> {
@@ -39,18 +39,18 @@ fn sphere(ray: &Ray, sphere: &Sphere) -> Option<[f32; 3]> {
 }
 
 /// The closest hit in single precision, by brute force.
-pub(super) fn closest(scene: &Scene, ray: &Ray) -> Hit {
-    hits(scene, ray).into_iter().fold(Hit::MISS, |old, new| if !old.is_hit() || new.t < old.t { new } else { old })
+pub(super) fn closest(scene: &Scene, ray: &Ray) -> FlatHit {
+    hits(scene, ray).into_iter().fold(FlatHit::MISS, |old, new| if !old.is_hit() || new.t < old.t { new } else { old })
 }
 
 /// One hit a primitive.
-pub(super) fn hits(scene: &Scene, ray: &Ray) -> Vec<Hit> {
+pub(super) fn hits(scene: &Scene, ray: &Ray) -> Vec<FlatHit> {
     let hit = |flat: usize| {
         let [t, u, v] = match scene.primitive(flat) {
             Primitive::Triangle(shape) => triangle(ray, &shape),
             Primitive::Sphere(shape) => sphere(ray, &shape),
         }?;
-        Some(Hit { t, u, v, primitive: u32::try_from(flat).ok()? })
+        Some(FlatHit { t, u, v, primitive: u32::try_from(flat).ok()? })
     };
     (0..scene.len()).filter_map(hit).collect()
 }

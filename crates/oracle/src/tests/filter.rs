@@ -33,7 +33,8 @@ fn all_against_all() {
     let mut random = Random::new(0x5eed_0021);
     let cases: Vec<_> = (0..80).map(|_| (hard_triangle(&mut random), hard_sphere(&mut random))).collect();
     let triangles: Vec<_> = cases.iter().map(|(t, _)| t.0).collect();
-    let scene = Scene::new(vec![mesh(&triangles), Geometry::Spheres(cases.iter().map(|(_, s)| s.0).collect())]);
+    let scene = Scene::new(vec![mesh(&triangles), Geometry::Spheres(cases.iter().map(|(_, s)| s.0).collect())])
+        .expect("a valid scene");
     for ray in cases.iter().flat_map(|(t, s)| [t.1, s.1]) {
         assert_same(&scene, &ray);
     }
@@ -117,7 +118,7 @@ fn a_large_mesh_is_fast() {
     let quads =
         (0..rows).flat_map(|i| (0..columns).map(move |j| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
     let triangles: Vec<_> = quads.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    let scene = Scene::new(vec![Geometry::Mesh(Mesh { vertices, triangles })]);
+    let scene = Scene::new(vec![Geometry::Mesh(Mesh { vertices, triangles })]).expect("a valid scene");
     let mut random = Random::new(0x5eed_0023);
     let rays: Vec<_> =
         (0..20).map(|_| Ray::new(random.vector() * 0.3, random.vector() + Vec3::new(2.0, 0.0, 0.0))).collect();

@@ -65,11 +65,11 @@ fn mesh(triangles: &[Triangle]) -> Geometry {
 }
 
 fn triangle_scene(triangles: &[Triangle]) -> Scene {
-    Scene::new(vec![mesh(triangles)])
+    Scene::new(vec![mesh(triangles)]).expect("a valid scene")
 }
 
 fn sphere_scene(spheres: &[Sphere]) -> Scene {
-    Scene::new(vec![Geometry::Spheres(spheres.to_vec())])
+    Scene::new(vec![Geometry::Spheres(spheres.to_vec())]).expect("a valid scene")
 }
 
 /// A triangle and a ray aimed at it: at its inside, an edge, a vertex or past it; of any size, shape and distance.

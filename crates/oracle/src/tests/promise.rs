@@ -83,7 +83,7 @@ fn on_crowds() {
             grown
         };
         let spheres = vec![sphere, grown(), grown()];
-        let scene = Scene::new(vec![mesh(&triangles), Geometry::Spheres(spheres)]);
+        let scene = Scene::new(vec![mesh(&triangles), Geometry::Spheres(spheres)]).expect("a valid scene");
         for ray in [ray, other] {
             tally.judge(&scene, &ray);
         }

@@ -5,7 +5,7 @@ mod values;
 
 use dashu_ratio::RBig;
 use glam::Vec3;
-use rayproof_scene::{Geometry, Hit, Mesh, Primitive, Ray, Scene, Sphere, Triangle};
+use rayproof_scene::{FlatHit, Geometry, Mesh, Primitive, Ray, Scene, Sphere, Triangle};
 
 use super::{Answer, COLUMNS, Value, Worked, work};
 use crate::{Oracle, Root, families};
@@ -20,7 +20,7 @@ fn triangle(corners: [[f32; 3]; 3]) -> Primitive {
 }
 
 fn ray(origin: [f32; 3], direction: [f32; 3]) -> Ray {
-    Ray::new(origin.into(), direction.into())
+    Ray::new(origin, direction)
 }
 
 fn values<'w>(worked: &'w Worked, name: &str) -> &'w [Value; 5] {
@@ -184,6 +184,7 @@ fn alone(primitive: &Primitive) -> Scene {
             Geometry::Mesh(Mesh { vertices: vec![a, b, c], triangles: vec![[0, 1, 2]] })
         }
     }])
+    .expect("a valid scene")
 }
 
 #[test]
@@ -207,7 +208,7 @@ fn the_exact_column_is_the_oracles_over_all_families() {
                     (Answer::Hit { t, u, v }, Some(hit)) => {
                         let [t, u, v] = [t, u, v].map(|x| if let Value::Exact(x) = x { x.clone() } else { panic!() });
                         assert_eq!((&t, &u, &v), (&hit.t, &Root::from(hit.u.clone()), &Root::from(hit.v.clone())));
-                        let rounded = Hit { t: t.to_f32(), u: u.to_f32(), v: v.to_f32(), primitive: 0 };
+                        let rounded = FlatHit { t: t.to_f32(), u: u.to_f32(), v: v.to_f32(), primitive: 0 };
                         assert!(rounded.same_bits(&hit.to_hit()), "{}", what());
                         hits += 1;
                     }

@@ -43,7 +43,7 @@ fn ours(
     peer: Option<&'static str>,
 ) -> anyhow::Result<Contestant> {
     let start = Instant::now();
-    let intersector = Intersector::new(scene, &Options { precision, device })?;
+    let intersector = Intersector::new(scene, &Options { precision, device, ..Options::default() })?;
     let seconds = start.elapsed().as_secs_f64();
     let detail = format!("{}, tree in {:.3} s", intersector.device().name, intersector.build_seconds());
     let hits = std::cell::RefCell::new(Vec::new());

@@ -26,7 +26,7 @@ fn spheres() -> Scene {
     let mut numbers = Numbers(3);
     let mut next = || numbers.next();
     let sphere = |_| Sphere { center: Vec3::new(next(), next(), next()) * 100.0, radius: 0.1 + 0.4 * next() };
-    Scene::new(vec![Geometry::Spheres((0..1_000_000).map(sphere).collect())])
+    Scene::new(vec![Geometry::Spheres((0..1_000_000).map(sphere).collect())]).expect("made of finite numbers")
 }
 
 /// A closed ball with bumps of several sizes.
@@ -48,5 +48,5 @@ fn made(rows: u32) -> Scene {
             mesh.triangles.extend([[a, a + columns, b], [b, a + columns, b + columns]]);
         }
     }
-    Scene::new(vec![Geometry::Mesh(mesh)])
+    Scene::new(vec![Geometry::Mesh(mesh)]).expect("made of finite numbers")
 }

@@ -1,7 +1,7 @@
 //! One ray as two small files that `rayproof intersect` answers again.
 
 use rayproof::files::replay;
-use rayproof::scene::{Hit, Primitive, Ray, Scene, number};
+use rayproof::scene::{FlatHit, Primitive, Ray, Scene, number};
 
 use super::Error;
 use super::subject::{Bench, Subject, Walk};
@@ -26,7 +26,7 @@ impl Asked {
     }
 
     /// Answers to these rays alone.
-    pub(crate) fn tally(&self, hits: &[Hit]) -> Tally {
+    pub(crate) fn tally(&self, hits: &[FlatHit]) -> Tally {
         let mut tally = Tally::default();
         tally.add(0, &self.scene, &self.rays, &self.truth, hits);
         tally
@@ -64,17 +64,18 @@ fn alone(
     bench: &Bench<'_>,
     subject: Subject,
     ray: &Ray,
-    answers: [Hit; 2],
+    answers: [FlatHit; 2],
     primitives: &[(u32, Primitive)],
     ulp: Option<f64>,
 ) -> Result<Case, Error> {
-    let small = Scene::new(primitives.iter().map(|&(_, primitive)| primitive.into()).collect());
-    let renumbered = |hit: Hit| {
+    let small = Scene::new(primitives.iter().map(|&(_, primitive)| primitive.into()).collect())
+        .expect("made of finite numbers");
+    let renumbered = |hit: FlatHit| {
         let place = primitives.iter().position(|&(flat, _)| flat == hit.primitive);
-        Hit { primitive: place.and_then(|i| u32::try_from(i).ok()).unwrap_or(hit.primitive), ..hit }
+        FlatHit { primitive: place.and_then(|i| u32::try_from(i).ok()).unwrap_or(hit.primitive), ..hit }
     };
     let [exact, answer] = answers.map(renumbered);
-    let mut again = [Hit::MISS];
+    let mut again = [FlatHit::MISS];
     bench.ready(subject, &small, Walk::Tree)?.closest(&[*ray], &mut again)?;
     Ok(Case {
         scene: replay::scene_file(primitives.iter().map(|&(_, primitive)| primitive)),
@@ -87,7 +88,7 @@ fn alone(
 }
 
 /// The primitives that two answers name, in the order of the scene; its first where they name none.
-fn involved(scene: &Scene, answers: [Hit; 2]) -> Vec<(u32, Primitive)> {
+fn involved(scene: &Scene, answers: [FlatHit; 2]) -> Vec<(u32, Primitive)> {
     let named = answers.iter().filter(|hit| (hit.primitive as usize) < scene.len()).map(|hit| hit.primitive);
     let mut flat: Vec<u32> = named.collect();
     flat.sort_unstable();
@@ -98,7 +99,7 @@ fn involved(scene: &Scene, answers: [Hit; 2]) -> Vec<(u32, Primitive)> {
     flat.into_iter().map(|flat| (flat, scene.primitive(flat as usize))).collect()
 }
 
-fn in_words(hit: &Hit) -> String {
+fn in_words(hit: &FlatHit) -> String {
     if !hit.is_hit() {
         return "miss".to_owned();
     }

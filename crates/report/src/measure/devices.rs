@@ -9,7 +9,7 @@ use super::timing::times_of;
 use super::workloads;
 use super::{Error, Run};
 use crate::model::{self, Arithmetic, Rule};
-use rayproof::scene::{Hit, Ray, Scene};
+use rayproof::scene::{FlatHit, Ray, Scene};
 
 /// A device in words, its arithmetic measured on each route, and the price of exact rules.
 pub(crate) fn describe(
@@ -82,7 +82,7 @@ fn rules(
     let mut ready = ready.collect::<Result<Vec<Box<dyn Answers>>, _>>()?;
     let mut answers = Vec::new();
     for contestant in &ready {
-        let mut hits = vec![Hit::MISS; rays.len()];
+        let mut hits = vec![FlatHit::MISS; rays.len()];
         contestant.closest(rays, &mut hits)?;
         answers.push(hits);
     }

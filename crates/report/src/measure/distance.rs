@@ -40,5 +40,9 @@ fn workload(seed: u64, number: usize, distance: f64, rays: usize) -> (Scene, Vec
         Ray::new(origin, (target - origin.as_dvec3()).normalize().as_vec3())
     };
     let rays = (0..rays).map(|_| ray(&mut draw)).collect();
-    (Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]), rays)
+    (
+        Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])])
+            .expect("made of finite numbers"),
+        rays,
+    )
 }

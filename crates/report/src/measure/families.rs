@@ -1,7 +1,7 @@
 //! The 42 families, each method on each device.
 
 use rayproof::Precision;
-use rayproof::scene::{Hit, Undecided};
+use rayproof::scene::{FlatHit, Undecided};
 use rayproof_oracle::families;
 
 use super::case::{Asked, errors};
@@ -25,7 +25,7 @@ fn one(run: &mut Run<'_>, family: &families::Family) -> Result<Family, Error> {
     let asked: Vec<Asked> = cases.into_iter().map(|case| run.ask(case.scene, case.rays)).collect();
     let mut undecided = Undecided::default();
     let mut rows = Vec::new();
-    let mut first_hits: Vec<(Precision, Vec<Vec<Hit>>)> = Vec::new();
+    let mut first_hits: Vec<(Precision, Vec<Vec<FlatHit>>)> = Vec::new();
     for subject in run.bench.subjects.clone() {
         let hits = answers(run, subject, &asked, &mut undecided)?;
         let mut tally = Tally::default();
@@ -61,10 +61,10 @@ fn answers(
     subject: Subject,
     asked: &[Asked],
     undecided: &mut Undecided,
-) -> Result<Vec<Vec<Hit>>, Error> {
+) -> Result<Vec<Vec<FlatHit>>, Error> {
     let mut all = Vec::with_capacity(asked.len());
     for asked in asked {
-        let mut hits = vec![Hit::MISS; asked.rays.len()];
+        let mut hits = vec![FlatHit::MISS; asked.rays.len()];
         let open = run.bench.ready(subject, &asked.scene, Walk::Tree)?.closest(&asked.rays, &mut hits)?;
         if subject.device == 0 {
             *undecided += open;

@@ -1,7 +1,7 @@
 //! Changes that leave real arithmetic's answer alone: the order of vertices, the order of axes, a power of two.
 
 use glam::Vec3;
-use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene, Sphere};
+use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene, Sphere};
 
 use super::plan::Progress;
 use super::statistics::rate;
@@ -104,7 +104,10 @@ impl Change {
         };
         let ray =
             |ray: &Ray| Ray { origin: (self.point)(ray.origin), direction: (self.direction)(ray.direction), ..*ray };
-        (Scene::new(scene.geometries().iter().map(geometry).collect()), rays.iter().map(ray).collect())
+        (
+            Scene::new(scene.geometries().iter().map(geometry).collect()).expect("made of finite numbers"),
+            rays.iter().map(ray).collect(),
+        )
     }
 }
 
@@ -118,7 +121,7 @@ struct Found {
 }
 
 impl Found {
-    fn compare(before: &[Hit], after: &[Hit], scale: f32) -> Self {
+    fn compare(before: &[FlatHit], after: &[FlatHit], scale: f32) -> Self {
         let mut found = Self::default();
         for (before, after) in before.iter().zip(after) {
             found.rays += 1;

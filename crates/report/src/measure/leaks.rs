@@ -1,7 +1,7 @@
 //! Rays from inside closed meshes, aimed exactly at vertices and edges.
 
 use glam::DVec3;
-use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
+use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene};
 use rayproof::{Device, DeviceChoice, Intersector, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{Draw, meshes};
@@ -32,7 +32,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     progress.stage("leaks", closed.len() * TARGETS.len());
     let mut rows = Vec::new();
     for (number, (name, mesh)) in closed.into_iter().enumerate() {
-        let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]);
+        let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]).expect("made of finite numbers");
         let mut peers = run.rivals.on(&scene);
         for target in TARGETS {
             let rays = aimed(&mesh, target, run.plan.leak, &mut Draw::new(run.plan.seed, 103, number as u64));
@@ -73,7 +73,7 @@ fn ours(
     place: Place<'_>,
 ) -> Result<Leaks, Error> {
     let ready = run.bench.ready(subject, scene, Walk::Tree)?;
-    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut hits = vec![FlatHit::MISS; rays.len()];
     ready.closest(rays, &mut hits)?;
     let mut counts = vec![0; rays.len()];
     let counted = ready.crossings(rays, &mut counts).transpose()?.is_some();
@@ -87,7 +87,7 @@ fn theirs(
     crossings: &[u32],
     place: Place<'_>,
 ) -> Option<Leaks> {
-    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut hits = vec![FlatHit::MISS; rays.len()];
     let mut counts = vec![0; rays.len()];
     let asked = peer.closest(rays, &mut hits).and_then(|_| peer.count(rays, &mut counts).transpose());
     match asked {
@@ -100,7 +100,12 @@ fn theirs(
 }
 
 /// A row: leaks by the closest hits, and what is wrong with the counts, where there are any, against the exact ones.
-fn leaks((mesh, triangles, target): Place<'_>, who: String, hits: &[Hit], counts: Option<(&[u32], &[u32])>) -> Leaks {
+fn leaks(
+    (mesh, triangles, target): Place<'_>,
+    who: String,
+    hits: &[FlatHit],
+    counts: Option<(&[u32], &[u32])>,
+) -> Leaks {
     let rays = hits.len() as u64;
     let share = |count: usize| rate(count as u64, rays);
     Leaks {

@@ -4,7 +4,7 @@
 //! verdicts stop at a margin of `m` answers rightly for some input within `m` roundings of the given one.
 
 use glam::{DVec3, Vec3};
-use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene, Sphere};
+use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene, Sphere};
 use rayproof_oracle::families::Draw;
 
 use super::case::Asked;
@@ -44,7 +44,7 @@ struct Margins {
     margins: Vec<f64>,
 }
 
-fn curve(primitive: &str, subject: Subject, asked: &Asked, hits: &[Hit], margins: &[f64]) -> MarginCurve {
+fn curve(primitive: &str, subject: Subject, asked: &Asked, hits: &[FlatHit], margins: &[f64]) -> MarginCurve {
     let mut bins = [(0_u64, 0_u64); BINS];
     let mut largest_wrong = 0.0_f64;
     for ((truth, hit), &margin) in asked.truth.iter().zip(hits).zip(margins) {
@@ -75,7 +75,8 @@ fn unit() -> f64 {
 }
 
 fn spheres(draw: &mut Draw, count: usize) -> Margins {
-    let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+    let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])])
+        .expect("made of finite numbers");
     let mut rays = Vec::with_capacity(count);
     let mut margins = Vec::with_capacity(count);
     for _ in 0..count {
@@ -119,5 +120,5 @@ fn triangles(draw: &mut Draw, count: usize) -> Margins {
         margins.push(edges.map(apart).into_iter().fold(f64::INFINITY, f64::min) / unit());
         rays.push(ray);
     }
-    Margins { scene: Scene::new(vec![Geometry::Mesh(mesh)]), rays, margins }
+    Margins { scene: Scene::new(vec![Geometry::Mesh(mesh)]).expect("made of finite numbers"), rays, margins }
 }

@@ -22,7 +22,7 @@ mod workloads;
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use rayproof::scene::{Hit, Ray, Scene};
+use rayproof::scene::{FlatHit, Ray, Scene};
 use rayproof::{Device, DeviceChoice};
 
 pub use plan::{Plan, Progress};
@@ -72,7 +72,7 @@ impl Run<'_> {
     /// Asks both oracles about these rays.
     fn ask(&mut self, scene: Scene, rays: Vec<Ray>) -> Asked {
         let asked = Asked::new(scene, rays);
-        let hits: Vec<Hit> = asked.truth.iter().map(|truth| truth.hit).collect();
+        let hits: Vec<FlatHit> = asked.truth.iter().map(|truth| truth.hit).collect();
         self.add(rayproof_oracle::compare_hits(&asked.scene, &asked.rays, &hits));
         asked
     }

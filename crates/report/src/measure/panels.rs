@@ -1,6 +1,6 @@
 //! Speed against error on the workloads.
 
-use rayproof::scene::{Hit, Ray, Scene};
+use rayproof::scene::{FlatHit, Ray, Scene};
 
 use super::case::errors;
 use super::plan::Progress;
@@ -29,7 +29,7 @@ fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel,
     let mut points = Vec::new();
     for (i, (&subject, tree)) in subjects.iter().zip(&tree).enumerate() {
         let (own, fast) = (&every[i], &every[fast_of(&subjects, subject)]);
-        let hits: Vec<Hit> = run.bench.closest(subject, &asked[0].scene, &asked[0].rays)?;
+        let hits: Vec<FlatHit> = run.bench.closest(subject, &asked[0].scene, &asked[0].rays)?;
         let tally = asked[0].tally(&hits);
         let rays = asked[0].rays.len() as f64;
         let ns = |seconds: f64| seconds * 1e9 / (rays * PRIMITIVES as f64);

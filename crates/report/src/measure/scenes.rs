@@ -1,7 +1,7 @@
 //! Whole scenes: millions of rays a second, and the errors of a sample of the same rays.
 
 use glam::{DVec3, Vec3};
-use rayproof::scene::{Camera, Geometry, Hit, Kind, Primitive, Ray, Scene, Sphere};
+use rayproof::scene::{Camera, FlatHit, Geometry, Kind, Primitive, Ray, Scene, Sphere};
 use rayproof::{Device, DeviceChoice, Intersector, Precision};
 use rayproof_oracle::families::{Draw, meshes};
 
@@ -43,10 +43,10 @@ pub(crate) fn made(run: &Run<'_>) -> Vec<Named> {
     let spheres: Vec<Sphere> = (0..count).map(&mut sphere).collect();
     let torus = format!("torus, {} triangles", page::count(mesh.triangles.len() as u64));
     vec![
-        Named { name: torus, scene: Scene::new(vec![Geometry::Mesh(mesh)]) },
+        Named { name: torus, scene: Scene::new(vec![Geometry::Mesh(mesh)]).expect("made of finite numbers") },
         Named {
             name: format!("{} random spheres", page::count(count.into())),
-            scene: Scene::new(vec![Geometry::Spheres(spheres)]),
+            scene: Scene::new(vec![Geometry::Spheres(spheres)]).expect("made of finite numbers"),
         },
     ]
 }
@@ -90,7 +90,7 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
     let sample = sample(rays, run.plan.sample, &mut Draw::new(run.plan.seed, 106, 0));
     let mut answers = Vec::new();
     for ready in &ready {
-        let mut hits = vec![Hit::MISS; sample.len()];
+        let mut hits = vec![FlatHit::MISS; sample.len()];
         ready.closest(&sample, &mut hits)?;
         answers.push(hits);
     }
@@ -106,7 +106,7 @@ fn entries(run: &mut Run<'_>, scene: &Scene, rays: &[Ray], builds: &[Vec<f64>]) 
         entries.push(SceneEntry { of_fast, ..entry });
     }
     for (mut peer, times) in peers.into_iter().zip(theirs) {
-        let mut hits = vec![Hit::MISS; asked[0].rays.len()];
+        let mut hits = vec![FlatHit::MISS; asked[0].rays.len()];
         let judged = times.and_then(|times| {
             peer.closest(&asked[0].rays, &mut hits).map_err(Error::Peer)?;
             Ok(times)
@@ -162,10 +162,10 @@ fn incoherent(scene: &Scene, count: usize, draw: &mut Draw) -> Vec<Ray> {
 
 /// From just off what the primary rays hit, in cosine-weighted directions.
 fn diffuse(scene: &Scene, primary: &[Ray], count: usize, draw: &mut Draw) -> Result<Vec<Ray>, Error> {
-    let mut hits = vec![Hit::MISS; primary.len()];
-    Intersector::on(&Device::open(&DeviceChoice::Cpu)?, scene, Precision::Exact)?.closest(primary, &mut hits)?;
-    let seen: Vec<(&Ray, &Hit)> = primary.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()).collect();
-    let ray = |(ray, hit): &(&Ray, &Hit)| {
+    let mut hits = vec![FlatHit::MISS; primary.len()];
+    Intersector::on(&Device::open(&DeviceChoice::Cpu)?, scene, Precision::Exact)?.closest_flat(primary, &mut hits)?;
+    let seen: Vec<(&Ray, &FlatHit)> = primary.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()).collect();
+    let ray = |(ray, hit): &(&Ray, &FlatHit)| {
         let at = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
         let normal = match scene.primitive(hit.primitive as usize) {
             Primitive::Triangle(triangle) => triangle.normal().as_dvec3(),

@@ -1,6 +1,6 @@
 //! What is measured: a method on a device.
 
-use rayproof::scene::{Hit, Ray, Scene, Undecided};
+use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
 use rayproof::{Device, Error, Intersector, Precision};
 
 use crate::model;
@@ -11,7 +11,7 @@ pub trait Answers {
     ///
     /// # Errors
     /// When the device fails.
-    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error>;
+    fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Undecided, Error>;
     /// How often each ray crosses the surface, as the method sees it; `None` where it does not count.
     ///
     /// # Errors
@@ -24,8 +24,8 @@ pub trait Answers {
 }
 
 impl Answers for (Intersector, Precision) {
-    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error> {
-        self.0.closest(rays, hits)
+    fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Undecided, Error> {
+        self.0.closest_flat(rays, hits)
     }
 
     fn crossings(&self, rays: &[Ray], counts: &mut [u32]) -> Option<Result<(), Error>> {
@@ -97,7 +97,7 @@ pub(crate) struct Bench<'m> {
 impl<'m> Bench<'m> {
     /// The methods that each device has. A device refuses those it lacks numbers for.
     pub(crate) fn new(devices: Vec<Device>, make: &'m Make<'m>) -> Self {
-        let nothing = Scene::new(Vec::new());
+        let nothing = Scene::new(Vec::new()).expect("made of finite numbers");
         let has = |device: usize, method| make(&devices[device], &nothing, method, Walk::Tree).is_ok();
         let all = (0..devices.len()).flat_map(|device| Precision::ALL.map(|method| Subject { method, device }));
         let subjects = all.filter(|s| has(s.device, s.method)).collect();
@@ -116,8 +116,8 @@ impl<'m> Bench<'m> {
     }
 
     /// The closest hits of a subject.
-    pub(crate) fn closest(&self, subject: Subject, scene: &Scene, rays: &[Ray]) -> Result<Vec<Hit>, Error> {
-        let mut hits = vec![Hit::MISS; rays.len()];
+    pub(crate) fn closest(&self, subject: Subject, scene: &Scene, rays: &[Ray]) -> Result<Vec<FlatHit>, Error> {
+        let mut hits = vec![FlatHit::MISS; rays.len()];
         self.ready(subject, scene, Walk::Tree)?.closest(rays, &mut hits)?;
         Ok(hits)
     }

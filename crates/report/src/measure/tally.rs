@@ -1,6 +1,6 @@
 //! A method's answers against the exact ones, added up.
 
-use rayproof::scene::{Hit, Primitive, Ray, Scene};
+use rayproof::scene::{FlatHit, Primitive, Ray, Scene};
 
 use super::statistics::{quantiles, rate};
 use super::truth::{Truth, corners};
@@ -32,12 +32,12 @@ pub(crate) struct Tally {
 pub(crate) struct Place {
     pub(crate) scene: usize,
     pub(crate) ray: usize,
-    pub(crate) answer: Hit,
+    pub(crate) answer: FlatHit,
 }
 
 impl Tally {
     /// Adds the answers to the rays of one scene.
-    pub(crate) fn add(&mut self, number: usize, scene: &Scene, rays: &[Ray], truth: &[Truth], answers: &[Hit]) {
+    pub(crate) fn add(&mut self, number: usize, scene: &Scene, rays: &[Ray], truth: &[Truth], answers: &[FlatHit]) {
         for (i, ((ray, truth), answer)) in rays.iter().zip(truth).zip(answers).enumerate() {
             let place = Place { scene: number, ray: i, answer: *answer };
             let right = self.verdict(truth, answer);
@@ -54,7 +54,7 @@ impl Tally {
     }
 
     /// Counts the verdict; whether it is right.
-    fn verdict(&mut self, truth: &Truth, answer: &Hit) -> bool {
+    fn verdict(&mut self, truth: &Truth, answer: &FlatHit) -> bool {
         self.rays += 1;
         self.hits += u64::from(truth.hit.is_hit());
         match (truth.hit.is_hit(), answer.is_hit()) {
@@ -77,7 +77,7 @@ impl Tally {
     }
 
     /// Adds the errors of a hit whose primitive is right; returned is that of `t` in ULP.
-    fn measure(&mut self, scene: &Scene, ray: &Ray, truth: &Truth, answer: &Hit) -> f64 {
+    fn measure(&mut self, scene: &Scene, ray: &Ray, truth: &Truth, answer: &FlatHit) -> f64 {
         let ulp = ulps(answer.t, truth.t, truth.hit.t);
         self.t.push(ulp);
         if let Some(sway) = truth.sway.filter(|_| truth.hit.t.is_finite()) {

@@ -1,6 +1,6 @@
 //! Does a report find the same again, and does it show a method that is damaged on purpose?
 
-use rayproof::scene::{Hit, MISS, Ray, Scene, Undecided};
+use rayproof::scene::{FlatHit, MISS, Ray, Scene, Undecided};
 use rayproof::{Device, DeviceChoice, Error, Precision};
 use rayproof_oracle::families;
 use serde_json::Value;
@@ -92,8 +92,8 @@ struct Damaged<F> {
     damage: F,
 }
 
-impl<F: Fn(&mut Hit)> Answers for Damaged<F> {
-    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) -> Result<Undecided, Error> {
+impl<F: Fn(&mut FlatHit)> Answers for Damaged<F> {
+    fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Undecided, Error> {
         let undecided = self.sound.closest(rays, hits)?;
         hits.iter_mut().for_each(|hit| (self.damage)(hit));
         Ok(undecided)
@@ -113,7 +113,7 @@ impl<F: Fn(&mut Hit)> Answers for Damaged<F> {
 fn one_ulp_in_t_shows_everywhere() {
     let make = |device: &Device, scene: &Scene, precision, walk: Walk| -> Result<Box<dyn Answers>, Error> {
         let sound = engines(device, scene, precision, walk)?;
-        let damage = |hit: &mut Hit| {
+        let damage = |hit: &mut FlatHit| {
             if hit.is_hit() {
                 hit.t = hit.t.next_up();
             }
@@ -139,7 +139,7 @@ fn one_misclassified_family_shows_and_no_other() {
     let scenes: Vec<Scene> = family.cases(TINY.seed, TINY.family).into_iter().map(|case| case.scene).collect();
     let make = |device: &Device, scene: &Scene, precision, walk: Walk| -> Result<Box<dyn Answers>, Error> {
         let sound = engines(device, scene, precision, walk)?;
-        let damage = |hit: &mut Hit| *hit = Hit { primitive: MISS, ..Hit::MISS };
+        let damage = |hit: &mut FlatHit| *hit = FlatHit { primitive: MISS, ..FlatHit::MISS };
         let damaged = precision == Precision::Exact && scenes.contains(scene);
         Ok(if damaged { Box::new(Damaged { sound, damage }) } else { sound })
     };

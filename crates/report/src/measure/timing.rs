@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 
 use super::Error;
 use super::statistics::timing;
@@ -44,11 +44,11 @@ pub(crate) struct Taken {
 /// What can be timed: one of our methods, or a peer.
 pub(crate) trait Timed {
     /// Answers the rays.
-    fn take(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<Taken, Error>;
+    fn take(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Taken, Error>;
 }
 
 impl Timed for Box<dyn Answers> {
-    fn take(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<Taken, Error> {
+    fn take(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Taken, Error> {
         let before = self.kernel_seconds();
         let start = Instant::now();
         self.closest(rays, hits)?;
@@ -59,7 +59,7 @@ impl Timed for Box<dyn Answers> {
 }
 
 impl Timed for Box<dyn Adaptor> {
-    fn take(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<Taken, Error> {
+    fn take(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Taken, Error> {
         let wall = (**self).closest(rays, hits).map_err(Error::Peer)?;
         Ok(Taken { wall, kernel: None })
     }
@@ -68,7 +68,7 @@ impl Timed for Box<dyn Adaptor> {
 /// Runs each contestant once to warm up (kernels compile, caches fill), then `runs` times in turn. One that fails is out.
 pub(crate) fn interleaved(contestants: &mut [&mut dyn Timed], rays: &[Ray], runs: u32) -> Vec<Result<Times, Error>> {
     let mut times: Vec<Result<Times, Error>> = contestants.iter().map(|_| Ok(Times::default())).collect();
-    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut hits = vec![FlatHit::MISS; rays.len()];
     for run in 0..=runs {
         for (contestant, slot) in contestants.iter_mut().zip(&mut times) {
             let Ok(times) = slot else { continue };

@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
-use rayproof::scene::{Hit, Primitive, Ray, Scene, Triangle};
+use rayproof::scene::{FlatHit, Primitive, Ray, Scene, Triangle};
 use rayproof_oracle::Oracle;
 
 /// The exact closest hit.
 pub(crate) struct Truth {
     /// Its numbers rounded to the nearest `f32`; or a miss.
-    pub(crate) hit: Hit,
+    pub(crate) hit: FlatHit,
     /// `t`, `u`, `v` to some 50 bits.
     pub(crate) t: f64,
     pub(crate) u: f64,
@@ -26,7 +26,7 @@ impl Truth {
 
     fn one(oracle: &Oracle, ray: &Ray) -> Self {
         let Some(exact) = oracle.closest(ray) else {
-            return Self { hit: Hit::MISS, t: f64::INFINITY, u: 0.0, v: 0.0, sway: None };
+            return Self { hit: FlatHit::MISS, t: f64::INFINITY, u: 0.0, v: 0.0, sway: None };
         };
         let (t, u, v) = (exact.t.to_f64(), exact.u.to_f64().value(), exact.v.to_f64().value());
         let primitive = oracle.scene().primitive(exact.primitive as usize);

@@ -67,7 +67,7 @@ fn far_spheres(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
         toward((target + away * 1000.0).as_vec3(), target)
     };
     let rays = (0..rays).map(|_| ray(draw)).collect();
-    (Scene::new(vec![Geometry::Spheres(spheres)]), rays)
+    (Scene::new(vec![Geometry::Spheres(spheres)]).expect("made of finite numbers"), rays)
 }
 
 fn ground_spheres(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
@@ -84,7 +84,7 @@ fn ground_spheres(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
         toward(origin, DVec3::new(distance * cos, -draw.range(0.0, 1.0), distance * sin))
     };
     let rays = (0..rays).map(|_| ray(draw)).collect();
-    (Scene::new(vec![Geometry::Spheres(spheres)]), rays)
+    (Scene::new(vec![Geometry::Spheres(spheres)]).expect("made of finite numbers"), rays)
 }
 
 fn triangles(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
@@ -94,7 +94,7 @@ fn triangles(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
     });
     let mesh = soup(corners.collect());
     let rays = at_triangles(draw, &mesh, 100.0, rays);
-    (Scene::new(vec![Geometry::Mesh(mesh)]), rays)
+    (Scene::new(vec![Geometry::Mesh(mesh)]).expect("made of finite numbers"), rays)
 }
 
 fn slivers(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
@@ -106,7 +106,7 @@ fn slivers(draw: &mut Draw, rays: usize) -> (Scene, Vec<Ray>) {
     });
     let mesh = soup(corners.collect());
     let rays = at_triangles(draw, &mesh, 10.0, rays);
-    (Scene::new(vec![Geometry::Mesh(mesh)]), rays)
+    (Scene::new(vec![Geometry::Mesh(mesh)]).expect("made of finite numbers"), rays)
 }
 
 fn soup(corners: Vec<[DVec3; 3]>) -> Mesh {

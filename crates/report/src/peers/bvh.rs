@@ -5,7 +5,7 @@ use ::bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
 use ::bvh::bvh::Bvh as PeerBvh;
 use ::bvh::ray::{Intersection, Ray as PeerRay};
 use nalgebra::{Point3, Vector3};
-use rayproof::scene::{Hit, Mesh, Ray};
+use rayproof::scene::{FlatHit, Mesh, Ray};
 
 use super::threads::Crate;
 
@@ -56,16 +56,16 @@ impl Crate for Bvh {
         Ok(Self { tree, faces })
     }
 
-    fn closest(&self, ray: &Ray) -> Hit {
+    fn closest(&self, ray: &Ray) -> FlatHit {
         let length = ray.direction.length();
         let direction = Vector3::from(ray.direction.to_array());
         let peer_ray = PeerRay::new(Point3::from(ray.origin.to_array()), direction);
-        let mut closest = Hit::MISS;
+        let mut closest = FlatHit::MISS;
         for face in self.tree.traverse(&peer_ray, &self.faces) {
             let Intersection { distance, u, v } = two_sided(&peer_ray, face);
             let t = distance / length;
             if t < closest.t && ray.t_min <= t && t <= ray.t_max {
-                closest = Hit { t, u, v, primitive: face.number };
+                closest = FlatHit { t, u, v, primitive: face.number };
             }
         }
         closest

@@ -24,7 +24,7 @@ pub use ray_query::{absent_ray_query, ray_query_peer};
 pub use rust::{absent_rust_peers, rust_peers};
 pub use venv::make_venv;
 
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 
 /// Another intersector with the tree of one mesh.
 pub trait Adaptor: Send {
@@ -46,7 +46,7 @@ pub trait Adaptor: Send {
     /// # Errors
     /// Why there is no answer: the lengths differ, a ray starts elsewhere than at `t = 0` where the peer cannot, or the
     /// peer failed. `hits` then holds nothing of use.
-    fn closest(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<f64, String>;
+    fn closest(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<f64, String>;
 
     /// How often each ray crosses the mesh, as [`closest`](Self::closest) answers; `None` where the peer has no such
     /// query.
@@ -87,8 +87,8 @@ fn from_zero(rays: &[Ray]) -> Result<(), String> {
 }
 
 /// That every hit names one of so many triangles.
-fn in_range(hits: &[Hit], triangles: usize) -> Result<(), String> {
-    let outside = |hit: &&Hit| hit.is_hit() && hit.primitive as usize >= triangles;
+fn in_range(hits: &[FlatHit], triangles: usize) -> Result<(), String> {
+    let outside = |hit: &&FlatHit| hit.is_hit() && hit.primitive as usize >= triangles;
     let found = hits.iter().find(outside);
     found.map_or(Ok(()), |hit| Err(format!("it names triangle {} of {triangles}", hit.primitive)))
 }

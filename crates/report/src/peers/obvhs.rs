@@ -8,7 +8,7 @@ use ::obvhs::cwbvh::{CwBvh, builder::build_cwbvh_from_tris};
 use ::obvhs::ray::{INVALID_ID, Ray as PeerRay, RayHit};
 use ::obvhs::rt_triangle::RtTriangle;
 use ::obvhs::triangle::Triangle;
-use rayproof::scene::{Hit, Mesh, Ray};
+use rayproof::scene::{FlatHit, Mesh, Ray};
 
 use super::threads::Crate;
 
@@ -86,17 +86,17 @@ impl<T: Tree> Crate for Obvhs<T> {
         Ok(Self { tree, ordered, triangles })
     }
 
-    fn closest(&self, ray: &Ray) -> Hit {
+    fn closest(&self, ray: &Ray) -> FlatHit {
         let mut hit = RayHit::none();
         self.tree.trace(peer_ray(ray), &mut hit, &self.ordered);
         if hit.primitive_id == INVALID_ID {
-            return Hit::MISS;
+            return FlatHit::MISS;
         }
         let primitive = self.tree.order()[hit.primitive_id as usize];
-        Hit { t: hit.t, u: 0.0, v: 0.0, primitive }
+        FlatHit { t: hit.t, u: 0.0, v: 0.0, primitive }
     }
 
-    fn weigh(&self, ray: &Ray, hit: &mut Hit) {
+    fn weigh(&self, ray: &Ray, hit: &mut FlatHit) {
         // Not Triangle::compute_barycentric: it divides by the unit normal, so its weights are off by twice the area.
         let weights = self.triangles[hit.primitive as usize].compute_barycentric(&peer_ray(ray));
         (hit.u, hit.v) = (weights.x, weights.y);

@@ -4,7 +4,7 @@ use parry3d::math::Vector;
 use parry3d::query::details::local_ray_intersection_with_triangle;
 use parry3d::query::{Ray as PeerRay, RayCast};
 use parry3d::shape::TriMesh;
-use rayproof::scene::{Hit, Mesh, Ray};
+use rayproof::scene::{FlatHit, Mesh, Ray};
 
 use super::from_zero;
 use super::threads::Crate;
@@ -26,13 +26,13 @@ impl Crate for Parry {
         from_zero(rays)
     }
 
-    fn closest(&self, ray: &Ray) -> Hit {
+    fn closest(&self, ray: &Ray) -> FlatHit {
         // Its unbounded ray is one that ends at the largest number.
         let hit = self.0.cast_local_ray_and_get_normal(&peer_ray(ray), ray.t_max.min(f32::MAX), false);
-        hit.map_or(Hit::MISS, |hit| Hit { t: hit.time_of_impact, u: 0.0, v: 0.0, primitive: hit.subshape })
+        hit.map_or(FlatHit::MISS, |hit| FlatHit { t: hit.time_of_impact, u: 0.0, v: 0.0, primitive: hit.subshape })
     }
 
-    fn weigh(&self, ray: &Ray, hit: &mut Hit) {
+    fn weigh(&self, ray: &Ray, hit: &mut FlatHit) {
         let triangle = self.0.triangle(hit.primitive);
         let found = local_ray_intersection_with_triangle(triangle.a, triangle.b, triangle.c, &peer_ray(ray));
         if let Some((_, weights)) = found {

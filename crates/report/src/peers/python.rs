@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::thread;
 
-use rayproof::scene::{Hit, Mesh, Ray};
+use rayproof::scene::{FlatHit, Mesh, Ray};
 
 use super::child::Child;
 use super::venv::python_of;
@@ -95,7 +95,7 @@ impl Adaptor for Embree {
         self.child.build_seconds
     }
 
-    fn closest(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<f64, String> {
+    fn closest(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<f64, String> {
         same_length(rays.len(), hits.len())?;
         from_zero(rays)?;
         if rays.is_empty() {
@@ -105,7 +105,7 @@ impl Adaptor for Embree {
         in_range(hits, self.triangles)?;
         // Neither call has an end of rays; what is closest is closest of what is within it, too.
         for (hit, _) in hits.iter_mut().zip(rays).filter(|(hit, ray)| hit.t > ray.t_max) {
-            *hit = Hit::MISS;
+            *hit = FlatHit::MISS;
         }
         Ok(seconds)
     }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use rayproof::scene::{Hit, Mesh, Ray};
+use rayproof::scene::{FlatHit, Mesh, Ray};
 use rayproof_gpu::{RayQuery, Selector};
 
 use super::{Absent, Adaptor, Contestant, in_range, same_length};
@@ -44,7 +44,7 @@ impl Adaptor for Peer {
         self.query.build_seconds()
     }
 
-    fn closest(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<f64, String> {
+    fn closest(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<f64, String> {
         same_length(rays.len(), hits.len())?;
         let start = Instant::now();
         self.query.closest(rays, hits).map_err(|e| e.to_string())?;

@@ -1,6 +1,6 @@
 #![expect(clippy::unwrap_used, reason = "a test")]
 
-use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene};
+use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::meshes::cube;
 
@@ -17,9 +17,9 @@ fn rays() -> Vec<Ray> {
 }
 
 fn check(peer: &mut dyn Adaptor, mesh: &Mesh) {
-    let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]);
+    let scene = Scene::new(vec![Geometry::Mesh(mesh.clone())]).expect("a valid scene");
     let (oracle, rays) = (Oracle::new(&scene), rays());
-    let mut hits = vec![Hit::MISS; rays.len()];
+    let mut hits = vec![FlatHit::MISS; rays.len()];
     let seconds = peer.closest(&rays, &mut hits).unwrap();
     assert!(seconds > 0.0 && peer.build_seconds() > 0.0 && !peer.version().is_empty() && !peer.how().is_empty());
     for (ray, hit) in rays.iter().zip(&hits) {
@@ -108,7 +108,7 @@ mod fake {
     }
 
     fn why(peer: Contestant) -> String {
-        let mut hits = vec![Hit::MISS; rays().len()];
+        let mut hits = vec![FlatHit::MISS; rays().len()];
         peer.map_or_else(|absent| absent.why, |mut peer| peer.closest(&rays(), &mut hits).unwrap_err())
     }
 

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use rayon::prelude::*;
-use rayproof::scene::{Hit, Mesh, Ray};
+use rayproof::scene::{FlatHit, Mesh, Ray};
 
 use super::{Absent, Adaptor, Contestant, in_range, same_length};
 
@@ -28,10 +28,10 @@ pub(super) trait Crate: Sized + Send + Sync + 'static {
     }
 
     /// The first hit of a valid ray.
-    fn closest(&self, ray: &Ray) -> Hit;
+    fn closest(&self, ray: &Ray) -> FlatHit;
 
     /// Fills in `u` and `v` of a hit where the query has none. Not timed: nobody who needs only the hit does it.
-    fn weigh(&self, ray: &Ray, hit: &mut Hit) {
+    fn weigh(&self, ray: &Ray, hit: &mut FlatHit) {
         let _ = (ray, hit);
     }
 }
@@ -69,7 +69,7 @@ impl<T: Crate> Adaptor for Threaded<T> {
         self.build_seconds
     }
 
-    fn closest(&mut self, rays: &[Ray], hits: &mut [Hit]) -> Result<f64, String> {
+    fn closest(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<f64, String> {
         same_length(rays.len(), hits.len())?;
         T::fits(rays)?;
         let peer = &self.peer;

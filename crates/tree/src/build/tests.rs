@@ -24,7 +24,7 @@ fn scene(triangles: usize, spheres: usize) -> Scene {
     if let Some(ball) = balls.first_mut() {
         *ball = Sphere { center: Vec3::new(0.0, -1e6, 0.0), radius: 1e6 };
     }
-    Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(balls)])
+    Scene::new(vec![Geometry::Mesh(mesh), Geometry::Spheres(balls)]).expect("a valid scene")
 }
 
 /// Walks the tree; returns the flat numbers found and checks that each box holds what is under it.
@@ -91,6 +91,6 @@ fn a_deep_tree_is_built_without_recursion() {
         mesh.vertices.extend([Vec3::ZERO, Vec3::new(s, 0.0, 0.0), Vec3::new(0.0, s, s)]);
         mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
-    let bvh = Bvh::new(&Scene::new(vec![Geometry::Mesh(mesh)]), Scaling::None).expect("small");
+    let bvh = Bvh::new(&Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene"), Scaling::None).expect("small");
     assert_eq!(walk(&bvh).len(), 120);
 }

@@ -1,7 +1,7 @@
 //! The hard cases, as scenes to step through.
 
 use glam::DVec3;
-use rayproof::scene::{Camera, Hit, Primitive, Ray, Scene};
+use rayproof::scene::{Camera, FlatHit, Primitive, Ray, Scene};
 use rayproof::{Device, Error, Precision};
 use rayproof_oracle::families::{self, Family};
 
@@ -29,7 +29,7 @@ pub(crate) struct Exhibit {
 pub(crate) struct Answered {
     pub(crate) ray: Ray,
     /// In the order of [`Precision::ALL`]; the last is exact.
-    pub(crate) hits: [Hit; 6],
+    pub(crate) hits: [FlatHit; 6],
 }
 
 /// The families, by their numbers.
@@ -51,10 +51,10 @@ impl Exhibit {
         let name = format!("family {}, {}: scene {} of {of}", hung.number, hung.name, number + 1);
         let camera = case.rays.first().and_then(|first| seen_from(&case.scene, &case.rays, first));
         let world = World::new(name, case.scene, camera, device);
-        let mut answers = vec![[Hit::MISS; 6]; case.rays.len()];
+        let mut answers = vec![[FlatHit::MISS; 6]; case.rays.len()];
         for (place, precision) in Precision::ALL.into_iter().enumerate() {
-            let mut hits = vec![Hit::MISS; case.rays.len()];
-            world.on_cpu(precision)?.closest(&case.rays, &mut hits)?;
+            let mut hits = vec![FlatHit::MISS; case.rays.len()];
+            world.on_cpu(precision)?.closest_flat(&case.rays, &mut hits)?;
             answers.iter_mut().zip(hits).for_each(|(all, hit)| all[place] = hit);
         }
         let rays = case.rays.into_iter().zip(answers).map(|(ray, hits)| Answered { ray, hits }).collect();

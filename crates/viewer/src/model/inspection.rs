@@ -1,7 +1,7 @@
 //! One ray, as every method answers it.
 
 use rayproof::files::replay;
-use rayproof::scene::{Hit, Ray, Scene};
+use rayproof::scene::{FlatHit, Ray, Scene};
 use rayproof::{Device, Error, Intersector, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_oracle::worked::{Worked, work};
@@ -16,9 +16,9 @@ const SMALL: usize = 256;
 pub(crate) struct Inspection {
     pub(crate) ray: Ray,
     /// The answers, in the order of [`Precision::ALL`].
-    pub(crate) hits: [Hit; 6],
+    pub(crate) hits: [FlatHit; 6],
     /// The oracle's.
-    pub(crate) truth: Hit,
+    pub(crate) truth: FlatHit,
     /// Flat numbers of the primitives that some answer names; the scene's first ones where none does.
     pub(crate) candidates: Vec<u32>,
     /// The calculation for one primitive.
@@ -31,9 +31,9 @@ impl Inspection {
     /// # Errors
     /// When the scene is too large for another tree.
     pub(crate) fn new(world: &World, ray: Ray, wanted: Option<u32>) -> Result<Self, Error> {
-        let mut hits = [Hit::MISS; 6];
+        let mut hits = [FlatHit::MISS; 6];
         for (hit, precision) in hits.iter_mut().zip(Precision::ALL) {
-            world.on_cpu(precision)?.closest(&[ray], std::slice::from_mut(hit))?;
+            world.on_cpu(precision)?.closest_flat(&[ray], std::slice::from_mut(hit))?;
         }
         let truth = Oracle::new(&world.scene).hit(&ray);
         let mut candidates: Vec<u32> = Vec::new();
@@ -77,12 +77,13 @@ impl Inspection {
         few.dedup();
         let all: Vec<u32> = (0..scene.len().min(SMALL)).filter_map(|flat| u32::try_from(flat).ok()).collect();
         let replays = |flats: &[u32]| {
-            let small = Scene::new(flats.iter().map(|&flat| scene.primitive(flat as usize).into()).collect());
-            let mut hit = [Hit::MISS];
+            let small = Scene::new(flats.iter().map(|&flat| scene.primitive(flat as usize).into()).collect())
+                .expect("made of finite numbers");
+            let mut hit = [FlatHit::MISS];
             let engine = Intersector::on(&Device::cpu(), &small, precision).ok();
-            let asked = engine.and_then(|engine| engine.closest(&[self.ray], &mut hit).ok()).is_some();
+            let asked = engine.and_then(|engine| engine.closest_flat(&[self.ray], &mut hit).ok()).is_some();
             let primitive = flats.get(hit[0].primitive as usize).copied().unwrap_or(hit[0].primitive);
-            asked && Hit { primitive, ..hit[0] }.same_bits(&answer)
+            asked && FlatHit { primitive, ..hit[0] }.same_bits(&answer)
         };
         let (chosen, same) = match replays(&few) {
             true => (few, true),

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 use rayproof::{Error, Intersector};
 
 use super::judge::Judge;
@@ -138,8 +138,8 @@ impl<'a> Job<'a> {
         let Some(layer) = self.layers.get_mut(&ask) else { return Ok(()) };
         match &mut layer.answers {
             Answers::Hits(all) => {
-                let mut hits = vec![Hit::MISS; rays.len()];
-                engine.closest(rays, &mut hits)?;
+                let mut hits = vec![FlatHit::MISS; rays.len()];
+                engine.closest_flat(rays, &mut hits)?;
                 places.iter().zip(hits).for_each(|(&place, hit)| all[place] = hit);
             }
             Answers::Stages(all) => {

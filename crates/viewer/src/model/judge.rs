@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use rayon::prelude::*;
-use rayproof::scene::{Hit, Pixels, Ray, Scene};
+use rayproof::scene::{FlatHit, Pixels, Ray, Scene};
 use rayproof_oracle::Oracle;
 
 use super::layer::{STEPS, row_of_pass};
@@ -32,7 +32,7 @@ impl Judge {
 
     /// Judges some more pixels; where the oracle has another answer than `exact`, it takes the place of that. Returned is
     /// whether there are more.
-    pub(crate) fn go_on(&mut self, scene: &Scene, pixels: Pixels, size: [u32; 2], exact: &mut [Hit]) -> bool {
+    pub(crate) fn go_on(&mut self, scene: &Scene, pixels: Pixels, size: [u32; 2], exact: &mut [FlatHit]) -> bool {
         if self.order.is_empty() {
             self.order = order(size);
             self.chunk = 64;
@@ -42,7 +42,7 @@ impl Judge {
         let oracle = Oracle::new(scene);
         let ray = |place: u32| -> Ray { pixels.ray(place % size[0], place / size[0]) };
         let answer = |&place: &u32| oracle.hit(&ray(place));
-        let answers: Vec<Hit> = places.par_iter().map(answer).collect();
+        let answers: Vec<FlatHit> = places.par_iter().map(answer).collect();
         for (&place, answer) in places.iter().zip(&answers) {
             let known = &mut exact[place as usize];
             if !known.same_bits(answer) {
@@ -75,13 +75,14 @@ mod tests {
 
     #[test]
     fn every_pixel_is_judged_and_a_wrong_answer_is_replaced() {
-        let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])]);
+        let scene = Scene::new(vec![Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }])])
+            .expect("made of finite numbers");
         let size = [20, 13];
         let pixels = Camera::framing(&scene).pixels(20, 13);
         let rays = (0..13).flat_map(|y| (0..20).map(move |x| pixels.ray(x, y)));
-        let truth: Vec<Hit> = rays.map(|ray| Oracle::new(&scene).hit(&ray)).collect();
+        let truth: Vec<FlatHit> = rays.map(|ray| Oracle::new(&scene).hit(&ray)).collect();
         let mut exact = truth.clone();
-        let hit = exact.iter().position(Hit::is_hit).unwrap_or(0);
+        let hit = exact.iter().position(FlatHit::is_hit).unwrap_or(0);
         exact[hit].t = f32::from_bits(exact[hit].t.to_bits() + 1);
         let miss = exact.iter().position(|hit| !hit.is_hit()).unwrap_or(0);
         exact[miss] = exact[hit];

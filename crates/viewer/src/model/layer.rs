@@ -1,6 +1,6 @@
 //! The answers to the rays of a picture, as they come: coarse first, then finer.
 
-use rayproof::scene::Hit;
+use rayproof::scene::FlatHit;
 
 use super::look::{Look, Mode, Source};
 
@@ -45,7 +45,7 @@ impl Ask {
 /// Answers to all pixels, of one kind; row by row from the top left.
 #[derive(Clone, Debug)]
 pub(crate) enum Answers {
-    Hits(Vec<Hit>),
+    Hits(Vec<FlatHit>),
     /// 1 to 3.
     Stages(Vec<u8>),
 }
@@ -63,7 +63,7 @@ pub(crate) struct Layer {
 impl Layer {
     pub(crate) fn new(ask: Ask, pixels: usize) -> Self {
         let answers = match ask {
-            Ask::Hits(_) => Answers::Hits(vec![Hit::MISS; pixels]),
+            Ask::Hits(_) => Answers::Hits(vec![FlatHit::MISS; pixels]),
             Ask::Stages => Answers::Stages(vec![0; pixels]),
         };
         Self { answers, passes: 0, rows: 0 }
@@ -103,7 +103,7 @@ impl Layer {
         self.passes == STEPS.len()
     }
 
-    pub(crate) fn hits(&self) -> &[Hit] {
+    pub(crate) fn hits(&self) -> &[FlatHit] {
         match &self.answers {
             Answers::Hits(hits) => hits,
             Answers::Stages(_) => &[],

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use rayproof::scene::{Camera, Hit, Ray};
+use rayproof::scene::{Camera, FlatHit, Ray};
 use rayproof::{Error, Precision};
 
 use super::look::Source;
@@ -39,12 +39,12 @@ pub(crate) fn measure(world: &World, camera: &Camera, size: [u32; 2]) -> Result<
             Err(error) => return Err(error),
         }
     }
-    let mut hits = vec![vec![Hit::MISS; rays.len()]; engines.len()];
+    let mut hits = vec![vec![FlatHit::MISS; rays.len()]; engines.len()];
     let mut times = vec![Vec::new(); engines.len()];
     for round in 0..=ROUNDS {
         for (i, (_, engine)) in engines.iter().enumerate() {
             let start = Instant::now();
-            engine.closest(&rays, &mut hits[i])?;
+            engine.closest_flat(&rays, &mut hits[i])?;
             // The first round warms up.
             if round > 0 {
                 times[i].push(start.elapsed().as_secs_f64() * 1e9 / rays.len().max(1) as f64);

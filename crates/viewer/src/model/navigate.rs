@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn walking_away_keeps_the_size_and_tells_pixels_apart() {
         let ball = Sphere { center: Vec3::new(3.0, 1.0, 0.0), radius: 2.0 };
-        let scene = Scene::new(vec![Geometry::Spheres(vec![ball])]);
+        let scene = Scene::new(vec![Geometry::Spheres(vec![ball])]).expect("made of finite numbers");
         for decades in [0.0, 1.0, 4.0, 8.0] {
             let camera = walk_away(&CAMERA, &scene, decades);
             let distance = f64::from(camera.eye.distance(camera.target));

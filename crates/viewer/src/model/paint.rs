@@ -1,7 +1,7 @@
 //! From answers to pixels, and to figures about them.
 
 use rayon::prelude::*;
-use rayproof::scene::{Hit, Pixels, Scene};
+use rayproof::scene::{FlatHit, Pixels, Scene};
 use rayproof_oracle::judge::ulp_distance;
 use rayproof_picture::color::{BACKGROUND, Rgb};
 use rayproof_picture::shade::{self, Verdict};
@@ -70,7 +70,7 @@ impl Side<'_> {
             Answers::Stages(stages) => return shade::by_stage(stages[i]),
             Answers::Hits(hits) => &hits[i],
         };
-        let other = self.against.map_or(&Hit::MISS, |layer| &layer.hits()[i]);
+        let other = self.against.map_or(&FlatHit::MISS, |layer| &layer.hits()[i]);
         match self.mode {
             Mode::Normal => shade::by_normal(self.scene, &self.pixels.ray(x, y), hit),
             Mode::Primitive => shade::by_primitive(hit),
@@ -134,7 +134,7 @@ impl Errors {
     /// How many wrong answers are kept.
     pub(crate) const SHOWN: usize = 500;
 
-    pub(crate) fn of(exact: &[Hit], answers: &[Hit]) -> Self {
+    pub(crate) fn of(exact: &[FlatHit], answers: &[FlatHit]) -> Self {
         let mut verdicts = [0; 5];
         let (mut ulps, mut places) = (Vec::new(), Vec::new());
         for ((exact, answer), place) in exact.iter().zip(answers).zip(0..) {
@@ -179,8 +179,9 @@ mod tests {
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         let answered =
             |(x, y): (u32, u32)| layer.step_at(y).is_some_and(|s| x.is_multiple_of(s) && y.is_multiple_of(s));
-        let hit =
-            |(place, primitive)| if answered(place) { Hit { t: 1.0, u: 0.0, v: 0.0, primitive } } else { Hit::MISS };
+        let hit = |(place, primitive)| {
+            if answered(place) { FlatHit { t: 1.0, u: 0.0, v: 0.0, primitive } } else { FlatHit::MISS }
+        };
         layer.answers = Answers::Hits(places.zip(first..).map(hit).collect());
         layer
     }
@@ -217,10 +218,10 @@ mod tests {
 
     #[test]
     fn errors_are_counted_by_verdict() {
-        let at = |t: f32, primitive| Hit { t, u: 0.0, v: 0.0, primitive };
+        let at = |t: f32, primitive| FlatHit { t, u: 0.0, v: 0.0, primitive };
         let off = f32::from_bits(2.0_f32.to_bits() + 7);
-        let exact = [at(2.0, 0), at(2.0, 0), at(2.0, 0), Hit::MISS, Hit::MISS, at(2.0, 0)];
-        let answers = [at(2.0, 0), at(off, 0), at(2.0, 1), at(1.0, 0), Hit::MISS, Hit::MISS];
+        let exact = [at(2.0, 0), at(2.0, 0), at(2.0, 0), FlatHit::MISS, FlatHit::MISS, at(2.0, 0)];
+        let answers = [at(2.0, 0), at(off, 0), at(2.0, 1), at(1.0, 0), FlatHit::MISS, FlatHit::MISS];
         let errors = Errors::of(&exact, &answers);
         assert_eq!((errors.verdicts, errors.ulps), ([1, 2, 1, 1, 1], Some([0, 0, 7])));
         assert_eq!(errors.places, [(2, Verdict::Another), (3, Verdict::FalseHit), (5, Verdict::FalseMiss)]);

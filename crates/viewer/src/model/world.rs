@@ -43,7 +43,8 @@ impl World {
     pub(crate) fn welcome(device: Device) -> Self {
         let ball = Sphere { center: Vec3::new(-1.2, 0.0, 0.0), radius: 1.0 };
         let mesh = meshes::placed(meshes::icosphere(2), 1.0, DVec3::new(1.2, 0.0, 0.0));
-        let scene = Scene::new(vec![Geometry::Spheres(vec![ball]), Geometry::Mesh(mesh)]);
+        let scene =
+            Scene::new(vec![Geometry::Spheres(vec![ball]), Geometry::Mesh(mesh)]).expect("made of finite numbers");
         Self::new("a sphere and 320 triangles", scene, None, device)
     }
 

@@ -2,7 +2,7 @@
 
 use egui::{RichText, ScrollArea, Ui};
 use rayproof::Precision;
-use rayproof::scene::Hit;
+use rayproof::scene::FlatHit;
 use rayproof_oracle::judge::ulp_distance;
 use rayproof_picture::shade::Verdict;
 
@@ -120,7 +120,7 @@ fn row(i: usize, ray: &Answered) -> String {
 }
 
 /// The error of an answer in a word.
-fn error(exact: &Hit, hit: &Hit) -> String {
+fn error(exact: &FlatHit, hit: &FlatHit) -> String {
     match Verdict::of(exact, hit) {
         Verdict::Miss => "·".to_owned(),
         Verdict::Hit => many(ulp_distance(exact.t, hit.t)),
@@ -136,14 +136,14 @@ mod tests {
 
     #[test]
     fn errors_are_words_where_the_answer_is_wrong() {
-        let hit = Hit { t: 1.0, u: 0.0, v: 0.0, primitive: 3 };
-        let off = Hit { t: f32::from_bits(1.0_f32.to_bits() + 5), ..hit };
+        let hit = FlatHit { t: 1.0, u: 0.0, v: 0.0, primitive: 3 };
+        let off = FlatHit { t: f32::from_bits(1.0_f32.to_bits() + 5), ..hit };
         let words = [
             (hit, off),
-            (hit, Hit { primitive: 4, ..hit }),
-            (hit, Hit::MISS),
-            (Hit::MISS, hit),
-            (Hit::MISS, Hit::MISS),
+            (hit, FlatHit { primitive: 4, ..hit }),
+            (hit, FlatHit::MISS),
+            (FlatHit::MISS, hit),
+            (FlatHit::MISS, FlatHit::MISS),
         ];
         assert_eq!(words.map(|(exact, hit)| error(&exact, &hit)), ["5", "other?", "miss?", "hit?", "·"]);
     }

@@ -3,7 +3,7 @@
 use egui::{Grid, RichText, Ui};
 use glam::Vec3;
 use rayproof::Precision;
-use rayproof::scene::{Hit, Primitive, Ray, Scene, number};
+use rayproof::scene::{FlatHit, Primitive, Ray, Scene, number};
 use rayproof_oracle::judge::ulp_distance;
 use rayproof_oracle::worked::Value;
 use rayproof_picture::shade::Verdict;
@@ -91,7 +91,7 @@ fn place(scene: &Scene, flat: u32) -> String {
     format!("{geometry} / {row}")
 }
 
-fn off(truth: &Hit, hit: &Hit) -> String {
+fn off(truth: &FlatHit, hit: &FlatHit) -> String {
     match Verdict::of(truth, hit) {
         Verdict::Miss => String::new(),
         Verdict::Hit => many(ulp_distance(truth.t, hit.t)),

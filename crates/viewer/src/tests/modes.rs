@@ -1,6 +1,6 @@
 //! Every mode draws what it says.
 
-use rayproof::scene::{Hit, Ray};
+use rayproof::scene::{FlatHit, Ray};
 use rayproof::{Device, Precision};
 use rayproof_oracle::Oracle;
 use rayproof_picture::color::{self, BACKGROUND, Rgb};
@@ -23,14 +23,14 @@ impl Expected {
         Self { world, rays }
     }
 
-    fn hits(&self, precision: Precision) -> Vec<Hit> {
-        let mut hits = vec![Hit::MISS; self.rays.len()];
-        self.world.on_cpu(precision).unwrap().closest(&self.rays, &mut hits).unwrap();
+    fn hits(&self, precision: Precision) -> Vec<FlatHit> {
+        let mut hits = vec![FlatHit::MISS; self.rays.len()];
+        self.world.on_cpu(precision).unwrap().closest_flat(&self.rays, &mut hits).unwrap();
         hits
     }
 
     /// The oracle's answers.
-    fn truth(&self) -> Vec<Hit> {
+    fn truth(&self) -> Vec<FlatHit> {
         let oracle = Oracle::new(&self.world.scene);
         oracle.batch(&self.rays, Oracle::hit)
     }
@@ -38,7 +38,8 @@ impl Expected {
     /// What a mode shows of a method, from first principles: the answers themselves, coloured.
     fn picture(&self, mode: Mode, precision: Precision) -> Vec<Rgb> {
         let hits = self.hits(precision);
-        let each = |color: &dyn Fn(usize, &Hit) -> Rgb| hits.iter().enumerate().map(|(i, hit)| color(i, hit)).collect();
+        let each =
+            |color: &dyn Fn(usize, &FlatHit) -> Rgb| hits.iter().enumerate().map(|(i, hit)| color(i, hit)).collect();
         match mode {
             Mode::Normal => each(&|i, hit| shade::by_normal(&self.world.scene, &self.rays[i], hit)),
             Mode::Depth => shade::by_depth(&hits.iter().map(|hit| hit.t).collect::<Vec<_>>()).collect(),

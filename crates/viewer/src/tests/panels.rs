@@ -74,10 +74,11 @@ fn what_is_copied_replays_to_the_bit() {
             let ray =
                 rayproof::scene::Ray { origin: [ox, oy, oz].into(), direction: [dx, dy, dz].into(), t_min, t_max };
             assert_eq!(ray, inspection.ray);
-            let options = rayproof::Options { precision, device: rayproof::DeviceChoice::Cpu };
+            let options =
+                rayproof::Options { precision, device: rayproof::DeviceChoice::Cpu, ..rayproof::Options::default() };
             let engine = rayproof::Intersector::new(&loaded.scene, &options).unwrap();
-            let mut hit = [rayproof::scene::Hit::MISS];
-            engine.closest(&[ray], &mut hit).unwrap();
+            let mut hit = [rayproof::scene::FlatHit::MISS];
+            engine.closest_flat(&[ray], &mut hit).unwrap();
             let [again, before] = [hit[0], inspection.hits[place]].map(|h| [h.t, h.u, h.v].map(f32::to_bits));
             // Alone, a primitive may be scaled otherwise, and the text then says so; here none is.
             assert!(again == before && !text.starts_with('#'), "{precision:?}: {text}");

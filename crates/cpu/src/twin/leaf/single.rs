@@ -1,6 +1,6 @@
 //! Twin of `shaders/leaf/single.wgsl`: what the precisions in `f32` make of a leaf.
 
-use rayproof_scene::{Hit, MISS};
+use rayproof_scene::{FlatHit, MISS};
 
 use crate::twin::bvh::traverse::{Found, PreparedRay};
 use crate::twin::math::{scale_by_power, without_sign};
@@ -46,23 +46,23 @@ impl PreparedRay for SingleRay {
 
 /// The closest hit so far, or the first found where `ANY`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Closest<const ANY: bool>(pub(crate) Hit);
+pub(crate) struct Closest<const ANY: bool>(pub(crate) FlatHit);
 
 impl<const ANY: bool> Closest<ANY> {
     #[inline(always)]
     pub(crate) fn start(ray: &SingleRay) -> Self {
-        Self(Hit { t: ray.t_max, u: 0.0, v: 0.0, primitive: MISS })
+        Self(FlatHit { t: ray.t_max, u: 0.0, v: 0.0, primitive: MISS })
     }
 
     /// The hit as it is returned.
     #[inline(always)]
-    pub(crate) fn hit(self, ray: &SingleRay) -> Hit {
-        let Hit { t, u, v, primitive } = self.0;
+    pub(crate) fn hit(self, ray: &SingleRay) -> FlatHit {
+        let FlatHit { t, u, v, primitive } = self.0;
         if primitive == MISS {
-            return Hit::MISS;
+            return FlatHit::MISS;
         }
         let t = scale_by_power(t, ray.out_exponent);
-        Hit { t: without_sign(t), u: without_sign(u), v: without_sign(v), primitive }
+        FlatHit { t: without_sign(t), u: without_sign(u), v: without_sign(v), primitive }
     }
 }
 
@@ -79,9 +79,9 @@ impl<const ANY: bool> Found for Closest<ANY> {
 
 /// The closer of two: the smaller `t`, and among equal `t` the lower number.
 #[inline(always)]
-pub(crate) fn closer(found: Candidate, id: u32, hit: Hit) -> Hit {
+pub(crate) fn closer(found: Candidate, id: u32, hit: FlatHit) -> FlatHit {
     if found.hit && (found.t < hit.t || (found.t == hit.t && id < hit.primitive)) {
-        return Hit { t: found.t, u: found.u, v: found.v, primitive: id };
+        return FlatHit { t: found.t, u: found.u, v: found.v, primitive: id };
     }
     hit
 }

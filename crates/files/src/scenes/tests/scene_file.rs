@@ -64,7 +64,10 @@ fn a_mesh_alone_is_geometry_0_and_nothing_is_an_empty_scene() {
     assert_eq!(loaded.sources, [folder.path().join("sub/tri.OBJ")]);
     let sources = vec![folder.path().join("scene.toml")];
     let loaded = load(&sources[0]).unwrap();
-    assert_eq!(loaded, LoadedScene { scene: rayproof_scene::Scene::new(vec![]), camera: None, sources });
+    assert_eq!(
+        loaded,
+        LoadedScene { scene: rayproof_scene::Scene::new(vec![]).expect("a valid scene"), camera: None, sources }
+    );
 }
 
 #[test]

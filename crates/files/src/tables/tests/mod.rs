@@ -13,7 +13,8 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::{Format, InvalidRays, RayReader};
+use super::{Format, RayReader};
+use crate::InvalidRays;
 use crate::{BadInput, Error};
 use rayproof_scene::Ray;
 

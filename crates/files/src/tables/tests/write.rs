@@ -1,12 +1,10 @@
 use std::fs;
 use std::path::Path;
 
-use glam::Vec3;
-
 use super::{bad, some_rays};
 use crate::tables::BLOCK_ROWS;
 use crate::{Error, Format, HitKind, HitWriter, RayWriter};
-use rayproof_scene::{Geometry, Hit, MISS, Mesh, Scene, Sphere};
+use rayproof_scene::Hit;
 
 /// A row of closest hits, as NumPy sees it.
 #[derive(npyz::Deserialize, Debug, PartialEq)]
@@ -18,32 +16,28 @@ struct Row {
     primitive: u32,
 }
 
-/// Geometries of 2 spheres, nothing, 3 triangles, 1 sphere.
-fn scene() -> Scene {
-    let spheres = |n| Geometry::Spheres(vec![Sphere { center: Vec3::ZERO, radius: 1.0 }; n]);
-    let mesh = Mesh { vertices: vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles: vec![[0, 1, 2]; 3] };
-    Scene::new(vec![spheres(2), spheres(0), Geometry::Mesh(mesh), spheres(1)])
-}
-
-const LOCATED: [(u32, u32); 6] = [(0, 0), (0, 1), (2, 0), (2, 1), (2, 2), (3, 0)];
-
 fn hits() -> Vec<Hit> {
-    let hit = |t, primitive| Hit { t, u: 0.1, v: 1e-45, primitive };
-    vec![hit(1.5, 4), Hit::MISS, hit(0.0, 0), hit(3e38, 5), hit(-0.0, 2), hit(f32::INFINITY, 1), hit(1e-7, 3)]
+    let hit = |t, geometry, primitive| Hit { t, u: 0.1, v: 1e-45, geometry, primitive };
+    vec![
+        hit(1.5, 2, 2),
+        Hit::MISS,
+        hit(0.0, 0, 0),
+        hit(3e38, 3, 0),
+        hit(-0.0, 2, 0),
+        hit(f32::INFINITY, 0, 1),
+        hit(1e-7, 2, 1),
+    ]
 }
 
 fn rows() -> Vec<Row> {
-    let row = |hit: &Hit| {
-        let (geometry, primitive) = if hit.is_hit() { LOCATED[hit.primitive as usize] } else { (MISS, MISS) };
-        Row { t: hit.t, u: hit.u, v: hit.v, geometry, primitive }
-    };
+    let row = |&Hit { t, u, v, geometry, primitive }: &Hit| Row { t, u, v, geometry, primitive };
     hits().iter().map(row).collect()
 }
 
 fn write_closest(path: &Path, total: Option<u64>) -> Result<(), Error> {
     let mut writer = HitWriter::create(path, None, HitKind::Closest, total)?;
-    writer.write_closest(&scene(), &hits()[..3])?;
-    writer.write_closest(&scene(), &hits()[3..])?;
+    writer.write_closest(&hits()[..3])?;
+    writer.write_closest(&hits()[3..])?;
     writer.finish()
 }
 
@@ -113,7 +107,7 @@ fn more_hits_than_a_block_keep_their_order() {
     let path = directory.path().join("hits.npy");
     let count = 2 * BLOCK_ROWS + 3;
     let mut writer = HitWriter::create(&path, None, HitKind::Closest, None).unwrap();
-    writer.write_closest(&scene(), &hits().into_iter().cycle().take(count).collect::<Vec<_>>()).unwrap();
+    writer.write_closest(&hits().into_iter().cycle().take(count).collect::<Vec<_>>()).unwrap();
     writer.finish().unwrap();
     let npy = npyz::NpyFile::new(std::io::BufReader::new(fs::File::open(&path).unwrap())).unwrap();
     let expected: Vec<Row> = (0..count / 7 + 1).flat_map(|_| rows()).take(count).collect();
@@ -165,7 +159,7 @@ fn an_unfinished_table_leaves_no_file_and_spares_the_older_one() {
     for ending in endings {
         let path = directory.path().join(format!("hits.{ending}"));
         let mut writer = HitWriter::create(&path, None, HitKind::Closest, None).unwrap();
-        writer.write_closest(&scene(), &hits()).unwrap();
+        writer.write_closest(&hits()).unwrap();
         assert!(!path.exists(), "{ending}: not before it is whole");
         let [partial] = &names()[..] else { panic!("one temporary file, not {:?}", names()) };
         assert!(partial.starts_with(&format!(".hits.{ending}.")) && partial.ends_with(".partial"), "{partial}");
