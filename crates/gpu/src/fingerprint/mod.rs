@@ -61,7 +61,7 @@ pub struct Fingerprint {
     pub root_ulp: u32,
     /// `fma` results that are fused.
     pub fused: usize,
-    /// Comparisons, NaN among them, that IEEE answers otherwise.
+    /// Comparisons, NaN and subnormals among them, that IEEE answers otherwise.
     pub comparisons_wrong: usize,
     /// Subnormal results that were flushed or are wrong, of [`subnormals`](Self::subnormals).
     pub subnormals_wrong: usize,
@@ -188,7 +188,8 @@ fn ordinary(x: f32) -> bool {
     (1e-9..1e9).contains(&x.abs())
 }
 
-/// Pairs with magnitudes from 2^-12 to 2^12, so that sums lose bits and `f64` holds them all; then small ones and NaN.
+/// Pairs with magnitudes from 2^-12 to 2^12, so that sums lose bits and `f64` holds them all; then small ones, subnormals beside
+/// zero and beside each other, and NaN.
 fn pairs() -> Vec<[f32; 2]> {
     let mut state = 0x005e_ed00_u64;
     let mut next = || {
@@ -201,7 +202,11 @@ fn pairs() -> Vec<[f32; 2]> {
     };
     let mut pairs: Vec<[f32; 2]> = (0..PAIRS - 512).map(|_| [number(127 - 12, 25), number(127 - 12, 25)]).collect();
     pairs.extend((0..256).map(|_| [number(127 - 80, 18), number(127 - 70, 8)]));
-    pairs.extend((0..240).map(|_| [number(0, 1), number(127, 1)]));
+    pairs.extend((0..176).map(|_| [number(0, 1), number(127, 1)]));
+    pairs.extend((0..16).flat_map(|_| {
+        let [x, y] = [number(0, 1), number(0, 1)];
+        [[x, 0.0], [0.0, x], [x, -x], [x, y]]
+    }));
     pairs.extend([[f32::NAN, 1.0], [1.0, f32::NAN], [f32::NAN, f32::NAN], [0.0, -0.0]].repeat(4));
     pairs
 }

@@ -38,8 +38,8 @@ impl fmt::Display for Fingerprint {
         }
         writeln!(f, "  fma                 {}", if self.fused > 0 { "fused" } else { "not fused" })?;
         match self.comparisons_wrong {
-            0 => writeln!(f, "  comparisons, NaN    IEEE")?,
-            n => writeln!(f, "  comparisons, NaN    {n} not IEEE")?,
+            0 => writeln!(f, "  comparisons         IEEE")?,
+            n => writeln!(f, "  comparisons         {n} not IEEE, of NaN or subnormals among them")?,
         }
         match self.subnormals_wrong {
             0 => writeln!(f, "  subnormals          kept, all {}", self.subnormals)?,

@@ -56,3 +56,30 @@ fn a_fused_device_is_told() {
     }
     assert!(Fingerprint::judge(Route::ExactSpirv, &pairs, &results).fused > PAIRS / 2);
 }
+
+/// What an NVIDIA H200 gave through SPIR-V with `NoContraction` (driver 580.159): sums, products and quotients to the bit, down to
+/// subnormals; but square roots up to 1 ULP off, a subnormal compared as if it were zero, and a fused `fma`.
+#[test]
+fn a_device_that_keeps_subnormals_but_compares_them_as_zero_is_not_ieee() {
+    let pairs = pairs();
+    let as_compared = |x: f32| if x.is_subnormal() { 0.0 } else { x };
+    let mut results = ieee(&pairs);
+    for (i, (r, [x, y])) in results.iter_mut().zip(&pairs).enumerate() {
+        r.comparisons = comparisons(as_compared(*x), as_compared(*y));
+        r.fma_error = x.mul_add(*y, -(x * y));
+        if i % 6 == 0 && r.root > 0.0 {
+            r.root = r.root.next_down();
+        }
+    }
+    let f = Fingerprint::judge(Route::ExactSpirv, &pairs, &results);
+    assert!(f.keeps_errors() && !f.is_ieee(), "{f}");
+    let kept = f.sum_wrong + f.product_wrong + f.contracted + f.quotient_wrong + f.subnormals_wrong;
+    assert_eq!(kept, 0, "{f}");
+    assert!(f.root_wrong > PAIRS / 10 && f.root_ulp == 1, "{f}");
+    assert_eq!(f.comparisons_wrong, 35, "as many as there: {f}");
+    // The comparisons alone are enough.
+    for (r, [x, _]) in results.iter_mut().zip(&pairs) {
+        r.root = x.abs().sqrt();
+    }
+    assert!(!Fingerprint::judge(Route::ExactSpirv, &pairs, &results).is_ieee());
+}
