@@ -14,7 +14,7 @@ struct PreparedRay {
 
 // Whether scaling may have cost a bit: a number that is neither zero nor well above the subnormals.
 fn lost(given: f32, scaled: f32) -> bool {
-    return given != 0.0 && abs(scaled) < 7.888609052210118e-31; // 2^-100
+    return !is_zero(given) && abs(scaled) < 7.888609052210118e-31; // 2^-100
 }
 
 fn lost_any(given: vec3<f32>, scaled: vec3<f32>) -> bool {
