@@ -3,7 +3,7 @@
 use rayproof::Precision;
 use rayproof::scene::{FlatHit, Ray, Scene};
 use rayproof_cpu::Engine as Twin;
-use rayproof_gpu::{Engine as Kernel, Gpu};
+use rayproof_gpu::{Engine as Kernel, Fingerprint, Gpu, Route};
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::judge::{compare_bits, ulp_distance};
 use rayproof_tree::{Bvh, Scaling};
@@ -12,6 +12,17 @@ use crate::device::{gpu, gpu_with_small_bindings};
 
 const SEED: u64 = 20_261_123;
 const RAYS_PER_FAMILY: usize = 20_000;
+
+/// The precisions that promise the CPU's bits on the device: all where it is IEEE, else `exact`.
+fn precisions() -> impl Iterator<Item = Precision> {
+    let is_ieee = gpu().fingerprint().is_some_and(Fingerprint::is_ieee);
+    Precision::ALL.into_iter().filter(move |precision| is_ieee || *precision == Precision::Exact)
+}
+
+/// One of them, `fast` if it is.
+fn one_precision() -> Precision {
+    precisions().find(|precision| *precision == Precision::Fast).unwrap_or(Precision::Exact)
+}
 
 /// Rays compared, hits among them, and rays that the device left to exact arithmetic.
 #[derive(Default)]
@@ -27,25 +38,29 @@ struct Pair {
     kernel: Option<Kernel>,
     twin: Twin,
     precision: Precision,
+    is_ieee: bool,
 }
 
 impl Pair {
     fn new(gpu: std::sync::Arc<Gpu>, scene: &Scene, precision: Precision) -> Self {
         let bvh = Bvh::new(scene, Scaling::of(precision)).expect("small");
+        let is_ieee = gpu.fingerprint().is_some_and(Fingerprint::is_ieee);
         let kernel = (precision != Precision::Exact || bvh.plain)
             .then(|| Kernel::new(gpu, &bvh, precision).expect("the scene fits the device"));
-        Self { kernel, twin: Twin::new(bvh, precision), precision }
+        Self { kernel, twin: Twin::new(bvh, precision), precision, is_ieee }
     }
 
     /// Compares all queries of both engines; panics where a bit differs. What the device leaves open is the twin's to answer, and
-    /// its first stage leaves open what the twin's does.
+    /// its first stage leaves open what the twin's does; but on a device that is not IEEE its bounds are wider.
     fn compare(&self, what: &str, rays: &[Ray], tally: &mut Tally) {
         let Some(kernel) = &self.kernel else { return };
         let mut device = vec![FlatHit::MISS; rays.len()];
         let mut twin = device.clone();
         let open = kernel.closest(rays, &mut device).expect("the device answers");
         let undecided = self.twin.closest(rays, &mut twin);
-        assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, closest");
+        if self.is_ieee {
+            assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, closest");
+        }
         open.rays.iter().for_each(|&i| device[i] = twin[i]);
         let closest = compare_bits(&device, &twin);
         assert!(closest.agrees(0), "{what}: kernel and twin differ\n{closest}");
@@ -55,7 +70,9 @@ impl Pair {
         let mut twin_any = vec![3; rays.len()];
         let open = kernel.any(rays, &mut device_any).expect("the device answers");
         let undecided = self.twin.any(rays, &mut twin_any);
-        assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, any");
+        if self.is_ieee {
+            assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, any");
+        }
         open.rays.iter().for_each(|&i| device_any[i] = twin_any[i]);
         for (i, ray) in rays.iter().enumerate() {
             assert_eq!(device_any[i], twin_any[i], "{what}: any hit of ray {i}, {ray:?}");
@@ -73,7 +90,9 @@ impl Pair {
         let mut twin = vec![u32::MAX; rays.len()];
         let open = kernel.count(rays, &mut device).expect("the device answers");
         let undecided = self.twin.count(rays, &mut twin);
-        assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, count");
+        if self.is_ieee {
+            assert_eq!(open.after_first, undecided.first_stage, "{what}: rays open after the first stage, count");
+        }
         open.rays.iter().for_each(|&i| device[i] = twin[i]);
         for (i, ray) in rays.iter().enumerate() {
             assert_eq!(device[i], twin[i], "{what}: crossings of ray {i}, {ray:?}");
@@ -82,17 +101,17 @@ impl Pair {
 }
 
 #[test]
-fn the_device_is_ieee_through_spirv_and_not_through_wgsl() {
-    use rayproof_gpu::{Fingerprint, Route};
+fn arithmetic_is_kept_through_spirv_and_not_through_wgsl() {
     let gpu = gpu();
     let exact = Fingerprint::measure(&gpu, Route::ExactSpirv).expect("measured");
     println!("{exact}");
-    assert!(exact.is_ieee() && exact.keeps_errors(), "{exact}");
+    // Sums, products and what they lose are what `exact` stands on; roots and comparisons may be off (NVIDIA's are).
+    assert!(exact.keeps_errors() && exact.sum_wrong + exact.product_wrong + exact.contracted == 0, "{exact}");
     let plain = Fingerprint::measure(&gpu, Route::PlainWgsl).expect("measured");
     println!("{plain}");
     if gpu.name().contains("llvmpipe") {
         // What the route is for: if this turns green, drivers have changed and the route can go.
-        assert!(!plain.is_ieee() && !plain.keeps_errors(), "{plain}");
+        assert!(exact.is_ieee() && !plain.is_ieee() && !plain.keeps_errors(), "{plain}");
     }
 }
 
@@ -104,7 +123,7 @@ fn kernels_equal_their_twins_over_all_families() {
         let mut tally = Tally::default();
         let cases = family.cases(SEED, RAYS_PER_FAMILY);
         for (i, Case { scene, rays }) in cases.iter().enumerate() {
-            for precision in Precision::ALL {
+            for precision in precisions() {
                 let what = format!("family {} ({}), case {i}, {precision:?}", family.number, family.name);
                 Pair::new(gpu(), scene, precision).compare(&what, rays, &mut tally);
             }
@@ -124,14 +143,14 @@ fn kernels_equal_their_twins_over_all_families() {
 fn batches_of_every_size_come_back_whole() {
     for &size in families::BATCH_SIZES {
         let Case { scene, rays } = families::batch(size);
-        let pair = Pair::new(gpu(), &scene, Precision::Fast);
+        let pair = Pair::new(gpu(), &scene, one_precision());
         let mut tally = Tally::default();
         pair.compare(&format!("{size} rays"), &rays, &mut tally);
         let mut hits = vec![FlatHit::MISS; size];
-        pair.kernel.as_ref().expect("fast").closest(&rays, &mut hits).expect("the device answers");
+        pair.kernel.as_ref().expect("plain").closest(&rays, &mut hits).expect("the device answers");
         for (i, hit) in hits.iter().enumerate() {
             let known = families::batch_answer(i);
-            // Neighbouring rays' answers lie thousands of ULP apart; four roundings lead to t = c / q.
+            // Neighbouring rays' answers lie thousands of ULP apart; four roundings lead to t = c / q of `fast`.
             let near = hit.primitive == known.primitive && ulp_distance(hit.t, known.t) <= 4;
             assert!(near, "ray {i} of {size}: {hit:?}, not {known:?}");
         }
@@ -148,13 +167,13 @@ fn lists_over_several_bindings_give_the_same_bits() {
             let family = &families::all()[number - 1];
             let mut tally = Tally::default();
             for case in family.cases(SEED, 4000) {
-                Pair::new(gpu.clone(), &case.scene, Precision::Fast).compare(family.name, &case.rays, &mut tally);
+                Pair::new(gpu.clone(), &case.scene, one_precision()).compare(family.name, &case.rays, &mut tally);
             }
         }
         let scene = crate::scenes::mixed(1200, 700);
         let rays = crate::scenes::rays_at(&scene, 30_000);
         let mut tally = Tally::default();
-        Pair::new(gpu.clone(), &scene, Precision::Fast).compare("a mixed scene", &rays, &mut tally);
+        Pair::new(gpu.clone(), &scene, one_precision()).compare("a mixed scene", &rays, &mut tally);
         println!("bindings of {bytes} bytes: {} rays, {} hits, 0 differ", tally.rays, tally.hits);
         assert!(tally.hits > 5000);
     }
@@ -165,7 +184,7 @@ fn every_kind_of_scene_has_its_kernel() {
     for (triangles, spheres) in [(0, 0), (1, 0), (0, 1), (1, 1), (3000, 0), (0, 3000), (2000, 2000)] {
         let scene = crate::scenes::mixed(triangles, spheres);
         let rays = crate::scenes::rays_at(&scene, 20_000);
-        for precision in Precision::ALL {
+        for precision in precisions() {
             let mut tally = Tally::default();
             let what = format!("{triangles} triangles, {spheres} spheres, {precision:?}");
             Pair::new(gpu(), &scene, precision).compare(&what, &rays, &mut tally);

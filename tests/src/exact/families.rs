@@ -1,10 +1,12 @@
 //! Family by family against the oracle: the same primitive, every number correctly rounded, every crossing counted.
 
-use rayproof::scene::{FlatHit, Ray, Undecided};
+use rayproof::scene::{Hit, Ray, Undecided};
+use rayproof_gpu::Fingerprint;
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::{ExactHit, Oracle};
 
 use super::{Answers, Engines, rays};
+use crate::device::gpu;
 
 const SEED: u64 = 11;
 
@@ -36,7 +38,9 @@ fn compare(case: &Case, tally: &mut Tally) {
     tally.undecided += cpu.undecided;
     judge("cpu", &case.rays, &cpu, &truth, tally);
     if let Some(device) = engines.on_device(&case.rays) {
-        assert_eq!(device.undecided.first_stage, cpu.undecided.first_stage, "the first stage's open rays");
+        if gpu().fingerprint().is_some_and(Fingerprint::is_ieee) {
+            assert_eq!(device.undecided.first_stage, cpu.undecided.first_stage, "the first stage's open rays");
+        }
         judge("device", &case.rays, &device, &truth, tally);
         tally.on_device += case.rays.len();
     }
