@@ -24,8 +24,10 @@
 mod camera;
 mod hit;
 mod kind;
+pub mod normal;
 pub mod number;
 mod precision;
+pub mod random;
 mod ray;
 mod scene;
 mod sphere;

@@ -1,7 +1,7 @@
 //! The geometric normal of a surface.
 
+use crate::{Hit, Primitive, Scene};
 use glam::DVec3;
-use rayproof_scene::{Hit, Primitive, Scene};
 
 /// The geometric normal of the primitive that was hit, at a point `p` of it, of any length.
 ///
