@@ -1,21 +1,25 @@
 //! Ordinary scenes, of any size.
 
 use glam::Vec3;
+use rayproof::scene::random::Random;
 use rayproof::scene::{Geometry, Mesh, Primitive, Ray, Scene, Sphere};
 
-/// Numbers in 0..1 from a 64-bit congruence.
-pub(crate) struct Numbers(pub(crate) u64);
+/// Random numbers as these tests draw them.
+pub(crate) struct Numbers(Random);
 
 impl Numbers {
+    pub(crate) const fn new(seed: u64) -> Self {
+        Self(Random::new(seed, 0))
+    }
+
+    /// From 0 to 1, 1 excluded, in steps of 2^-24.
     pub(crate) fn next(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 / 16_777_216.0
+        (self.0.bits() >> 40) as f32 / 16_777_216.0
     }
 
     /// A whole number below `n`.
     pub(crate) fn below(&mut self, n: usize) -> usize {
-        self.next();
-        usize::try_from(self.0 >> 33).unwrap_or(0) % n
+        usize::try_from(self.0.below(n as u64)).expect("below a usize")
     }
 
     fn point(&mut self) -> Vec3 {
@@ -25,7 +29,7 @@ impl Numbers {
 
 /// Triangles in two meshes and spheres between them, in a box of side 10; the first sphere is a ground of radius 1e4.
 pub(crate) fn mixed(triangles: usize, spheres: usize) -> Scene {
-    let mut n = Numbers(5);
+    let mut n = Numbers::new(5);
     let mut meshes = [Mesh::default(), Mesh::default()];
     for i in 0..triangles {
         let mesh = &mut meshes[i % 2];
@@ -45,7 +49,7 @@ pub(crate) fn mixed(triangles: usize, spheres: usize) -> Scene {
 
 /// Rays from in and around the scene at its primitives and past them, with ranges of every kind.
 pub(crate) fn rays_at(scene: &Scene, count: usize) -> Vec<Ray> {
-    let mut n = Numbers(17);
+    let mut n = Numbers::new(17);
     (0..count)
         .map(|i| {
             let from = n.point() * 30.0 - 10.0;

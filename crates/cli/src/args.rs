@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use rayproof::stream::Shard;
 use rayproof::{DeviceChoice, Precision};
 
 use crate::choices::{Format, Invalid, Kind, Query, Show, precision};
-use crate::parse::{self, Shard, Size};
+use crate::parse::{self, Size};
 
 /// Shoots rays at spheres and triangles, on the GPU or the CPU, and can prove each answer against exact arithmetic.
 #[derive(Debug, Parser)]
@@ -102,8 +103,9 @@ pub(crate) struct Intersect {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) invalid: Invalid,
 
-    /// Answer only the I-th (from 0) of N contiguous shares of the rays; the shares' hits, joined, are the whole
-    #[arg(long, value_name = "I/N", value_parser = parse::shard)]
+    /// Answer only the I-th (from 0) of N contiguous shares of the rays; the shares' hits, joined, are the whole. A bad ray is
+    /// the fault of the share that holds it
+    #[arg(long, value_name = "I/N")]
     pub(crate) shard: Option<Shard>,
 
     /// Print the summary as one JSON object on stdout

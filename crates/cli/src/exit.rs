@@ -5,6 +5,7 @@ use std::io::Write as _;
 use std::process::ExitCode;
 
 use rayproof::files;
+use rayproof::stream::ShardError;
 
 /// The exit codes that scripts rely on; 0 is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +58,15 @@ impl From<files::Error> for Failure {
             files::Error::Io { .. } => Code::Running,
         };
         Self::new(code, error.to_string())
+    }
+}
+
+impl From<ShardError> for Failure {
+    fn from(error: ShardError) -> Self {
+        match error {
+            ShardError::File(error) => error.into(),
+            other => Self::new(Code::Usage, format!("--shard: {other}")),
+        }
     }
 }
 

@@ -3,20 +3,18 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use rayproof::files::{Format, HitWriter, LoadedScene};
-use rayproof::scene::{self, Hit, Scene};
+use rayproof::files::{Format, HitWriter, LoadedScene, RayReader};
+use rayproof::scene::{Hit, Scene};
+use rayproof::stream::{Checked, Done, Job, Shard};
 use rayproof::{Intersector, Options, Precision};
 
-use crate::answer::Answer;
 use crate::args::Intersect;
-use crate::check::{Checked, check};
+use crate::check::check;
 use crate::choices::Query;
 use crate::exit::{Code, Failure, print, say};
-use crate::interrupt::Writing;
-use crate::pipeline::{self, Traced};
+use crate::interrupt::{self, Writing};
+use crate::judged::Judged;
 use crate::progress::Progress;
-use crate::sample::{Sample, Sampler};
-use crate::source::Source;
 use crate::summary::{SceneSize, Seconds, Summary, nothing_to_hit};
 use crate::target;
 
@@ -35,14 +33,14 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     let LoadedScene { scene, sources, .. } = rayproof::files::load(&args.scene)?;
     let load = loading.elapsed().as_secs_f64();
     target::is_no_input(&args.output, sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
-    let source = Source::open(&args.rays, args.invalid.into(), args.shard)?;
+    let rays = args.shard.unwrap_or(Shard::WHOLE).open(&args.rays, args.invalid.into())?;
     let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };
     let engine = Intersector::new(&scene, &options)?;
     let run = Run { args, format, scene, engine, started, load };
     match args.query {
-        Query::Closest => run.all::<Hit>(source),
-        Query::Any => run.all::<u8>(source),
-        Query::Count => run.all::<u32>(source),
+        Query::Closest => run.all::<Hit>(rays),
+        Query::Any => run.all::<u8>(rays),
+        Query::Count => run.all::<u32>(rays),
     }
 }
 
@@ -57,19 +55,9 @@ struct Run<'a> {
     load: f64,
 }
 
-/// What is known once the file of answers is whole.
-struct Done<A> {
-    traced: Traced,
-    hits: u64,
-    invalid: u64,
-    rounded: u64,
-    undecided: scene::Undecided,
-    samples: Vec<Sample<A>>,
-}
-
 impl Run<'_> {
-    fn all<A: Answer>(&self, source: Source) -> Result<(), Failure> {
-        let done = self.answer::<A>(source)?;
+    fn all<A: Judged>(&self, rays: RayReader) -> Result<(), Failure> {
+        let done = self.answer::<A>(rays)?;
         let checked = check(&self.scene, &done.samples, self.args.precision, self.args.quiet);
         let summary = self.summary(&done, checked);
         if !self.args.quiet {
@@ -86,39 +74,19 @@ impl Run<'_> {
     }
 
     /// Streams the rays through the engine into the file.
-    fn answer<A: Answer>(&self, source: Source) -> Result<Done<A>, Failure> {
-        let total = source.total();
-        let writing = Writing::begin();
-        let mut writer = HitWriter::create(&self.args.output, Some(self.format), A::KIND, total)?;
-        let mut sampler = Sampler::new(self.args.check, total);
-        let mut hits = 0;
-        let mut undecided = scene::Undecided::default();
+    fn answer<A: Judged>(&self, rays: RayReader) -> Result<Done<A>, Failure> {
+        let total = rays.total();
+        // Until the file has its name, or is gone, there is something to clean up.
+        let _writing = Writing::begin();
+        let hits = HitWriter::create(&self.args.output, Some(self.format), A::KIND, total)?;
         let progress = Progress::new("tracing", total, self.args.quiet);
-        let (source, traced) = pipeline::run(
-            source,
-            Source::next,
-            A::MISS,
-            |rays, answers| {
-                undecided += A::trace(&self.engine, rays, answers)?;
-                Ok(())
-            },
-            |first, rays, answers| {
-                A::write(&mut writer, answers)?;
-                sampler.take(first, rays, answers);
-                hits += answers.iter().filter(|answer| answer.is_hit()).count() as u64;
-                progress.add(rays.len());
-                Ok(())
-            },
-        )?;
-        writer.finish()?;
-        drop((writing, progress));
-        let (invalid, rounded) = source.tally();
-        Ok(Done { traced, hits, invalid, rounded, undecided, samples: sampler.finish() })
+        let job = Job { engine: &self.engine, samples: self.args.check };
+        job.run(rays, hits, interrupt::check, |rays| progress.add(rays))
     }
 
-    fn summary<A: Answer>(&self, done: &Done<A>, checked: Checked) -> Summary {
+    fn summary<A: Judged>(&self, done: &Done<A>, checked: Checked) -> Summary {
         let device = self.engine.device();
-        let (rays, seconds) = (done.traced.rays, done.traced.seconds);
+        let (rays, seconds) = (done.rays, done.seconds);
         let resolve = self.engine.resolve_seconds().min(seconds);
         let trace = seconds - resolve;
         #[expect(clippy::cast_precision_loss, reason = "a rate for people")]

@@ -1,27 +1,21 @@
 //! `rayproof`: shoot rays at a scene from the command line, and learn how far each answer can be trusted.
 
-mod answer;
 mod args;
-mod bounce;
 mod check;
 mod choices;
 mod devices;
-mod diffuse;
 mod exit;
 mod interrupt;
 mod intersect;
+mod judged;
 mod legend;
 mod parse;
 mod picture;
-mod pipeline;
 mod progress;
 mod quiet;
-mod random;
 mod rays;
 mod render;
 mod report;
-mod sample;
-mod source;
 mod summary;
 mod target;
 

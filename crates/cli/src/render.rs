@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use rayon::prelude::*;
+use rayproof::rays::Primary;
 use rayproof::scene::{Camera, FlatHit, Ray, Scene};
 use rayproof::{Intersector, Options, Precision};
 use rayproof_oracle::Oracle;
@@ -14,7 +15,6 @@ use crate::choices::Show;
 use crate::exit::{Code, Failure, say};
 use crate::picture::Picture;
 use crate::progress::Progress;
-use crate::rays::row_blocks;
 use crate::{legend, summary, target};
 
 /// Runs the command.
@@ -108,10 +108,10 @@ impl View<'_> {
     fn each_block(&self, mut f: impl FnMut(&[Ray]) -> Result<(), Failure>) -> Result<(), Failure> {
         let size = self.args.size;
         // The oracle is slow: small blocks, so that the bar moves.
-        let block = if self.args.show == Show::Error { 1 << 11 } else { crate::pipeline::BATCH };
+        let block = if self.args.show == Show::Error { 1 << 11 } else { rayproof::stream::BATCH };
         let progress = Progress::new("rendering", Some(size.pixels()), self.args.quiet);
-        for rows in row_blocks(size, block) {
-            let rays: Vec<Ray> = self.camera.rays(size.width, size.height, rows).collect();
+        let primary = Primary { camera: &self.camera, width: size.width, height: size.height };
+        for rays in primary.blocks(block) {
             f(&rays)?;
             progress.add(rays.len());
         }

@@ -1,7 +1,7 @@
 //! From hits to colours: what a pixel shows, the same on the command line and in the viewer.
 //!
 //! [`shade`] has a function for each thing that can be shown; [`color`] the scales that they use, all of which people who
-//! see fewer colours can tell apart; [`normal`] the surface's normal.
+//! see fewer colours can tell apart.
 //!
 //! ```
 //! use rayproof_picture::{color, shade};
@@ -13,7 +13,6 @@
 //! ```
 
 pub mod color;
-pub mod normal;
 #[cfg(test)]
 mod seen;
 pub mod shade;

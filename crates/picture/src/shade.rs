@@ -2,10 +2,10 @@
 
 use glam::Vec3;
 use rayproof_oracle::judge::ulp_distance;
+use rayproof_scene::normal::{facing, normal};
 use rayproof_scene::{FlatHit, Ray, Scene};
 
 use crate::color::{self, BACKGROUND, Rgb, WRONG};
-use crate::normal::{facing, normal};
 
 /// The geometric normal on the viewer's side as red, green and blue, lit by a lamp at the eye.
 #[must_use]

@@ -3,7 +3,7 @@
 //! [`Intersector::new`] takes a [`Scene`](scene::Scene) and [`Options`], builds the tree and puts it on the device;
 //! [`Intersector::closest`], [`Intersector::any`] and [`Intersector::count`] answer batches of any size, by default in the
 //! [`Precision`] `Exact`: the answers of real arithmetic on the given numbers, `t`, `u` and `v` rounded once. [`adapters`] lists
-//! what there is.
+//! what there is. [`stream`] answers files of rays that memory need not hold, [`rays`] makes rays.
 //!
 //! ```
 //! use rayproof::scene::{Geometry, Hit, Mesh, Ray, Scene, Sphere};
@@ -31,6 +31,8 @@ mod choice;
 mod device;
 mod error;
 mod intersector;
+pub mod rays;
+pub mod stream;
 
 pub use choice::{DeviceChoice, DeviceInfo, Options};
 pub use device::Device;

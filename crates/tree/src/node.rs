@@ -158,13 +158,15 @@ fn byte(q: f64) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use rayproof_scene::random::Random;
+
     use super::*;
 
-    /// Log-uniform magnitudes of both signs, from a fixed linear congruence.
+    /// Log-uniform magnitudes of both signs.
     fn numbers(seed: u64) -> impl Iterator<Item = f32> {
-        let mut state = seed;
+        let mut random = Random::new(seed, 0);
         std::iter::repeat_with(move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let state = random.bits();
             let sign = (state >> 63) as u32;
             let exponent = 127 - 60 + ((state >> 40) % 120) as u32;
             f32::from_bits((sign << 31) | (exponent << 23) | ((state >> 17) & 0x7f_ffff) as u32)

@@ -141,3 +141,13 @@ fn more_shards_than_rays_leave_some_empty() {
     }
     assert_eq!(joined, HITS);
 }
+
+#[test]
+fn a_bad_ray_is_the_fault_of_its_share_alone() {
+    let folder = Folder::with_scene();
+    folder.write("bad.csv", "ox,oy,oz,dx,dy,dz\n0,0,5,0,0,-1\n0,0,5,0,0,-1\n\n0,0,5,0,0,0\n0,0,5,0,x,1\n");
+    folder.run("intersect scene.toml bad.csv -o part.csv --shard 0/2 --device cpu").expect(0, &[]);
+    folder.run("intersect scene.toml bad.csv -o none.csv --shard 1/2 --device cpu").expect(5, &["bad.csv: line 5"]);
+    folder.run("intersect scene.toml bad.csv -o none.csv --shard 3/4 --device cpu").expect(5, &["line 6", "dy"]);
+    assert!(!folder.path("none.csv").exists());
+}

@@ -1,6 +1,6 @@
 //! Family by family against the oracle: the same primitive, every number correctly rounded, every crossing counted.
 
-use rayproof::scene::{Hit, Ray, Undecided};
+use rayproof::scene::{FlatHit, Ray, Undecided};
 use rayproof_gpu::Fingerprint;
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::{ExactHit, Oracle};

@@ -40,7 +40,7 @@ fn embree_387_reports_no_hit_far_behind() {
 /// are not at hand but for the first corner's, (0x3e6a2c13, 0x3fad24ce, ..).
 #[test]
 fn embree_423_reports_no_collision_of_distant_triangles() {
-    let mut numbers = Numbers(423);
+    let mut numbers = Numbers::new(423);
     let corner = Vec3::new(f32::from_bits(0x3e6a_2c13), f32::from_bits(0x3fad_24ce), 0.5);
     for _ in 0..200 {
         let mut near = |p: Vec3| p + (Vec3::new(numbers.next(), numbers.next(), numbers.next()) - 0.5) * 0.05;
@@ -88,7 +88,7 @@ fn pbrt_watertight_lets_no_ray_out() {
     for answers in recorded(6, 242) {
         assert!(answers.hits.iter().all(|hit| hit.is_hit()) && answers.counts.iter().all(|count| count % 2 == 1));
     }
-    let mut numbers = Numbers(12_111);
+    let mut numbers = Numbers::new(12_111);
     let mesh = meshes::bumpy_sphere(16, 16, 12_111);
     let mut point = || Vec3::new(numbers.next(), numbers.next(), numbers.next()) - 0.5;
     let rays: Vec<Ray> = (0..rays(20_000, 1_000_000))
@@ -133,7 +133,7 @@ fn spawned(from: &Ray, t: f32, normal: DVec3, count: usize, numbers: &mut Number
 /// Rays spawned off a triangle or a sphere do not meet it again. Coordinates from 1e-8 to 1e8, radii from 1e-4 to 1e4.
 #[test]
 fn pbrt_reintersect_meets_nothing_again() {
-    let mut numbers = Numbers(77);
+    let mut numbers = Numbers::new(77);
     let [mut shapes, mut tried] = [0, 0];
     let (wanted, each) = (rays(40, 1000), rays(100, 1000));
     while shapes < wanted {

@@ -40,7 +40,7 @@ fn aimed(mesh: &Mesh, inside: DVec3, size: f64, count: usize, numbers: &mut Numb
 
 #[test]
 fn no_ray_leaks_and_every_parity_is_odd() {
-    let mut numbers = Numbers(9);
+    let mut numbers = Numbers::new(9);
     let (mut asked, mut open) = (0, 0);
     for (name, mesh, inside) in closed_meshes() {
         assert_eq!(meshes::open_edges(&mesh), 0, "{name} is closed");

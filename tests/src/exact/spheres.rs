@@ -30,7 +30,7 @@ fn compare(what: &str, scene: &Scene, rays: &[Ray]) -> usize {
 /// Radius 1, at 1e1 to 1e7, within 1e-3 of the rim on either side.
 #[test]
 fn far_spheres_are_right_at_the_rim() {
-    let mut numbers = Numbers(21);
+    let mut numbers = Numbers::new(21);
     let count = rays(20_000, 1_000_000);
     for power in 1..=7 {
         let distance = 10.0_f32.powi(power);
@@ -62,7 +62,7 @@ fn far_spheres_are_right_at_the_rim() {
 /// A sphere of radius 1e6 whose top the eye is a thousandth above: t is correctly rounded, 0.5 ULP at most.
 #[test]
 fn the_ground_is_right_under_the_eye() {
-    let mut numbers = Numbers(22);
+    let mut numbers = Numbers::new(22);
     let ground = Sphere { center: Vec3::new(0.0, -1e6, 0.0), radius: 1e6 };
     let scene = Scene::new(vec![Geometry::Spheres(vec![ground])]).expect("a valid scene");
     let rays: Vec<Ray> = (0..rays(20_000, 1_000_000))

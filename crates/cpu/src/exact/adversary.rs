@@ -4,6 +4,8 @@
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Sub};
 
+use rayproof_scene::random::Random;
+
 use crate::twin::exact::number::Number;
 
 /// Which way results are rounded.
@@ -53,7 +55,7 @@ thread_local! {
     static ARITHMETIC: Cell<Arithmetic> = const {
         Cell::new(Arithmetic { rounding: Rounding::Nearest, fusing: Fusing::Never, loose: false, flushing: false })
     };
-    static LOT: Cell<u64> = const { Cell::new(1) };
+    static LOT: Cell<Random> = const { Cell::new(Random::new(1, 0)) };
 }
 
 /// Makes this thread compute by an arithmetic.
@@ -62,9 +64,10 @@ pub(super) fn compute_by(arithmetic: Arithmetic) {
 }
 
 fn lot() -> u64 {
-    let next = LOT.get().wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    LOT.set(next);
-    next >> 33
+    let mut random = LOT.get();
+    let lot = random.bits();
+    LOT.set(random);
+    lot
 }
 
 /// A number of that arithmetic, and where it is a product the exact one, for a sum to fuse.

@@ -3,8 +3,11 @@
 
 use std::path::Path;
 
+use base64::Engine as _;
+use base64::alphabet::STANDARD;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use gltf::accessor::{Accessor, DataType, Dimensions};
-use gltf::buffer::{self, Source};
+use gltf::buffer::Source;
 use gltf::json::validation::{Error as Fault, Validate};
 use gltf::{Document, Gltf};
 
@@ -50,6 +53,14 @@ pub(super) fn document(file: &str, bytes: &[u8]) -> Result<(Document, Option<Vec
     }
 }
 
+/// The bytes of a data URI: `data:`, a media type that does not matter, `;base64,` and what says it.
+fn inline(uri: &str) -> Result<Vec<u8>, String> {
+    let data = uri.strip_prefix("data:").ok_or("unsupported URI scheme")?;
+    let data = data.split_once(";base64,").map_or(data, |(_, data)| data);
+    let padded_or_not = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
+    GeneralPurpose::new(&STANDARD, padded_or_not).decode(data).map_err(|e| e.to_string())
+}
+
 /// The buffers of a document.
 pub(super) struct Data<'a> {
     file: &'a str,
@@ -73,9 +84,15 @@ impl<'a> Data<'a> {
                     super::read(&path.with_file_name("").join(&*relative))?
                 }
                 source => {
-                    let embedded = buffer::Data::from_source_and_blob(source, None, &mut blob);
+                    let embedded = match source {
+                        Source::Uri(uri) => inline(uri),
+                        Source::Bin => blob.take().ok_or_else(|| "there is no binary chunk left for it".to_owned()),
+                    };
                     let expected = "give a relative path, a base64 data URI or the binary chunk of a GLB";
-                    embedded.map_err(|e| data.bad(&place, e.to_string(), expected))?.0
+                    let mut bytes = embedded.map_err(|what| data.bad(&place, what, expected))?;
+                    // Chunks are padded to whole words; those of some exporters are not, and announced as if they were.
+                    bytes.resize(bytes.len().next_multiple_of(4), 0);
+                    bytes
                 }
             };
             if bytes.len() < buffer.length() {

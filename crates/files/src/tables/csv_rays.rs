@@ -3,17 +3,22 @@
 //! Lines are split here and not by the csv crate: its line numbers are wrong after an empty line and for `\r\n`, and
 //! a message that names the wrong line is worse than none. A table of numbers needs no more than commas.
 
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::faults::Faults;
-use super::ray_reader::{Input, Source};
+use super::input::Input;
+use super::ray_reader::Source;
 use super::{DEFAULT_ROW, RAY_COLUMNS, places, ray_of};
 use crate::{BadInput, Error};
 use rayproof_scene::{Ray, number};
 
 /// The longest line that is read, in bytes: what is longer is no table of rays.
 const MAX_LINE: usize = 1 << 16;
+
+/// How many rows lie between two places that are remembered when rows are counted.
+const EVERY: u64 = 1 << 16;
 
 /// What would be right, in a message about the header.
 const HEADER: &str = "give a first line with ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,t_min,t_max";
@@ -24,9 +29,20 @@ pub(super) struct CsvRays {
     input: BufReader<Input>,
     /// For each field of a line, its place in [`RAY_COLUMNS`].
     columns: Vec<usize>,
-    /// The line in `text`, counting from 1.
-    line: u64,
+    /// What was read last.
+    place: Place,
     text: Vec<u8>,
+    /// How many rows are left to hand on.
+    left: u64,
+    /// Where the rows 0, [`EVERY`], 2 [`EVERY`], .. may be read from; empty where rows were not counted.
+    marks: Vec<Place>,
+}
+
+/// How far a file was read: so many lines, and so many bytes.
+#[derive(Clone, Copy, Default)]
+struct Place {
+    line: u64,
+    bytes: u64,
 }
 
 /// What is wrong with a line, and what would be right.
@@ -36,7 +52,15 @@ impl CsvRays {
     /// Reads the header.
     pub(super) fn open(path: &Path, input: Input) -> Result<Self, Error> {
         let input = BufReader::with_capacity(1 << 20, input);
-        let mut rays = Self { path: path.to_owned(), input, columns: Vec::new(), line: 0, text: Vec::new() };
+        let mut rays = Self {
+            path: path.to_owned(),
+            input,
+            columns: Vec::new(),
+            place: Place::default(),
+            text: Vec::new(),
+            left: u64::MAX,
+            marks: Vec::new(),
+        };
         let found = rays.next_line()?;
         let text = rays.text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&rays.text);
         let names: Vec<String> = fields(text).map(|name| String::from_utf8_lossy(name).into_owned()).collect();
@@ -60,10 +84,11 @@ impl CsvRays {
             if got == 0 {
                 return Ok(false);
             }
-            self.line += 1;
+            self.place.line += 1;
+            self.place.bytes += got as u64;
             if got > MAX_LINE {
                 let what = format!("the line is longer than {MAX_LINE} bytes");
-                return Err(Error::bad(self.path.display().to_string(), self.place(), what, "give a CSV file of rays"));
+                return Err(Error::bad(self.path.display().to_string(), self.line(), what, "give a CSV file of rays"));
             }
             if !self.text.trim_ascii().is_empty() {
                 return Ok(true);
@@ -71,8 +96,22 @@ impl CsvRays {
         }
     }
 
-    fn place(&self) -> String {
-        format!("line {}", self.line)
+    /// The next line that is handed on; `false` at the end.
+    fn next_row(&mut self) -> Result<bool, Error> {
+        let found = self.left > 0 && self.next_line()?;
+        self.left -= u64::from(found);
+        Ok(found)
+    }
+
+    fn go_to(&mut self, place: Place) -> Result<(), Error> {
+        let sought = self.input.seek(SeekFrom::Start(place.bytes));
+        sought.map_err(|source| Error::Io { path: self.path.clone(), source })?;
+        self.place = place;
+        Ok(())
+    }
+
+    fn line(&self) -> String {
+        format!("line {}", self.place.line)
     }
 
     /// The row in the current line.
@@ -100,9 +139,9 @@ impl CsvRays {
 
     /// The error for the current line, once all malformed lines are counted.
     fn malformed(&mut self, (what, expected): Fault) -> Error {
-        let place = self.place();
+        let place = self.line();
         let mut more = 0;
-        while let Ok(true) = self.next_line() {
+        while let Ok(true) = self.next_row() {
             more += usize::from(self.parse().is_err());
         }
         Error::Bad(Box::new(BadInput { file: self.path.display().to_string(), place, what, more, expected }))
@@ -111,9 +150,9 @@ impl CsvRays {
 
 impl Source for CsvRays {
     fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, faults: &mut Faults) -> Result<(), Error> {
-        while rays.len() < max && self.next_line()? {
+        while rays.len() < max && self.next_row()? {
             match self.parse() {
-                Ok(values) => rays.push(faults.admit(ray_of(values), || self.place())),
+                Ok(values) => rays.push(faults.admit(ray_of(values), || self.line())),
                 Err(fault) => return Err(self.malformed(fault)),
             }
         }
@@ -122,6 +161,39 @@ impl Source for CsvRays {
 
     fn total(&self) -> Option<u64> {
         None
+    }
+
+    fn count(&mut self) -> Result<Option<u64>, Error> {
+        if let Input::Pipe(_) = self.input.get_ref() {
+            return Ok(None);
+        }
+        let (start, mut rows) = (self.place, 0);
+        self.marks.clear();
+        loop {
+            if rows % EVERY == 0 {
+                self.marks.push(self.place);
+            }
+            if !self.next_line()? {
+                break;
+            }
+            rows += 1;
+        }
+        self.go_to(start)?;
+        Ok(Some(rows))
+    }
+
+    fn select(&mut self, rows: Range<u64>) -> Result<(), Error> {
+        let mut before = rows.start;
+        let mark = usize::try_from(before / EVERY).ok().and_then(|i| self.marks.get(i));
+        if let Some(&mark) = mark {
+            before %= EVERY;
+            self.go_to(mark)?;
+        }
+        while before > 0 && self.next_line()? {
+            before -= 1;
+        }
+        self.left = rows.end - rows.start;
+        Ok(())
     }
 
     /// Always 0: a decimal is read as the nearest `f32`, and most decimals are none.

@@ -8,7 +8,8 @@ mod csv_rays;
 mod faults;
 mod format;
 mod hit_writer;
-mod npy;
+mod input;
+pub(crate) mod npy;
 mod npy_rays;
 mod output;
 #[cfg(feature = "parquet")]

@@ -1,7 +1,7 @@
 //! The header of an `.npy` file: `\x93NUMPY`, a version, a length and a Python dictionary.
 //!
 //! Parsed here and not by npyz 0.9, which panics on a shape whose product overflows, on deeply nested brackets and on
-//! some number expressions: a file is never a reason to crash.
+//! some number expressions: a file is never a reason to crash. Tables of rays and of spheres share it.
 
 use std::io::{self, Read};
 
@@ -13,23 +13,25 @@ const MAX_HEADER: usize = 10_000;
 
 /// What the header says, not yet judged.
 #[derive(Debug)]
-pub(super) struct Header {
+pub(crate) struct Header {
     /// The dtype as a Python literal, for example `'<f4'` with its quotes.
-    pub(super) descr: String,
+    pub(crate) descr: String,
     /// Whether the first axis runs fastest.
-    pub(super) fortran_order: bool,
+    pub(crate) fortran_order: bool,
     /// The shape as a Python literal, for example `(10, 6)`.
-    pub(super) shape: String,
+    pub(crate) shape: String,
     /// How many bytes the header takes, magic and all.
-    pub(super) bytes: u64,
+    pub(crate) bytes: u64,
 }
 
 /// Why there is no header.
-#[derive(Debug)]
-pub(super) enum HeaderError {
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum HeaderError {
     /// What is wrong with it.
+    #[error("{0}")]
     Bad(String),
     /// Reading failed.
+    #[error(transparent)]
     Io(io::Error),
 }
 
@@ -44,7 +46,7 @@ impl From<io::Error> for HeaderError {
 
 impl Header {
     /// Reads a header; the input then stands at the first byte of the data.
-    pub(super) fn read(input: &mut impl Read) -> Result<Self, HeaderError> {
+    pub(crate) fn read(input: &mut impl Read) -> Result<Self, HeaderError> {
         let mut start = [0; 8];
         input.read_exact(&mut start)?;
         let [magic @ .., major, minor] = start;
@@ -76,7 +78,7 @@ impl Header {
     }
 
     /// The shape as numbers, if it is a tuple of them.
-    pub(super) fn dimensions(&self) -> Option<Vec<u64>> {
+    pub(crate) fn dimensions(&self) -> Option<Vec<u64>> {
         let inner = self.shape.strip_prefix('(')?.strip_suffix(')')?.trim();
         let inner = inner.strip_suffix(',').unwrap_or(inner);
         if inner.is_empty() {
@@ -137,7 +139,7 @@ fn entries(text: &str) -> Vec<&str> {
 /// A header for `rows` rows, of the same length for any number of rows, so that it can be written again.
 ///
 /// `shape` turns the number of rows into the shape's literal.
-pub(super) fn header(descr: &str, shape: impl Fn(u64) -> String, rows: u64) -> Vec<u8> {
+pub(crate) fn header(descr: &str, shape: impl Fn(u64) -> String, rows: u64) -> Vec<u8> {
     let dictionary =
         |rows| format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {}, }}", shape(rows)).into_bytes();
     // Magic, version, length and the closing newline are 11 bytes; the data starts at a multiple of 64.

@@ -1,9 +1,11 @@
 use std::io::{self, Read};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::faults::Faults;
+use super::input::Input;
 use super::npy::{Header, HeaderError};
-use super::ray_reader::{Input, Source};
+use super::ray_reader::Source;
 use super::{BLOCK_ROWS, DEFAULT_ROW, ray_of, round};
 use crate::Error;
 use rayproof_scene::Ray;
@@ -21,7 +23,9 @@ pub(super) struct NpyRays {
     /// Bytes a value: 4 or 8.
     width: usize,
     rows: u64,
+    /// The next row to read, and the one to stop before.
     next: u64,
+    end: u64,
     rounded: u64,
     block: Vec<u8>,
 }
@@ -48,7 +52,8 @@ impl NpyRays {
         if header.fortran_order {
             return Err(bad("the array is in Fortran order".to_owned()));
         }
-        let rays = Self { path: path.to_owned(), input, columns, width, rows, next: 0, rounded: 0, block: Vec::new() };
+        let (path, block) = (path.to_owned(), Vec::new());
+        let rays = Self { path, input, columns, width, rows, next: 0, end: rows, rounded: 0, block };
         let data = rows
             .checked_mul(rays.row_bytes() as u64)
             .ok_or_else(|| bad(format!("the shape is {}, more than a file can hold", header.shape)))?;
@@ -124,8 +129,8 @@ impl NpyRays {
 
 impl Source for NpyRays {
     fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, faults: &mut Faults) -> Result<(), Error> {
-        while rays.len() < max && self.next < self.rows {
-            let left = usize::try_from(self.rows - self.next).unwrap_or(usize::MAX);
+        while rays.len() < max && self.next < self.end {
+            let left = usize::try_from(self.end - self.next).unwrap_or(usize::MAX);
             let rows = left.min(max - rays.len()).min(BLOCK_ROWS);
             let got = self.read_block(rows)?;
             let before = self.next;
@@ -140,6 +145,17 @@ impl Source for NpyRays {
 
     fn total(&self) -> Option<u64> {
         Some(self.rows)
+    }
+
+    fn select(&mut self, rows: Range<u64>) -> Result<(), Error> {
+        let row_bytes = self.row_bytes() as u64;
+        let before = (rows.start - self.next) * row_bytes;
+        let there = self.input.skip(before).map_err(|source| Error::Io { path: self.path.clone(), source })?;
+        if there < before {
+            return Err(self.wrong_size(&there.to_string(), there / row_bytes));
+        }
+        (self.next, self.end) = (rows.start, rows.end);
+        Ok(())
     }
 
     fn rounded_values(&self) -> u64 {

@@ -1,11 +1,15 @@
 use std::fmt::Display;
 use std::fs::File;
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use arrow::array::{Array, Float32Array, Float64Array, RecordBatch};
 use arrow::datatypes::{DataType, Schema};
-use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use parquet::arrow::arrow_reader::{
+    ArrowReaderMetadata, ArrowReaderOptions, ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder,
+};
+use parquet::errors::ParquetError;
 
 use super::faults::Faults;
 use super::ray_reader::Source;
@@ -19,6 +23,8 @@ const EXPECTED: &str = "give float32 or float64 columns ox, oy, oz, dx, dy, dz a
 /// The rays of a Parquet file, a block of rows at a time.
 pub(super) struct ParquetRays {
     path: PathBuf,
+    file: File,
+    footer: ArrowReaderMetadata,
     reader: ParquetRecordBatchReader,
     /// For each column of the file, its place in [`RAY_COLUMNS`].
     columns: Vec<usize>,
@@ -26,7 +32,9 @@ pub(super) struct ParquetRays {
     block: Vec<[f32; 8]>,
     gone: usize,
     rows: u64,
+    /// The next row to hand on, and the one to stop before.
     next: u64,
+    end: u64,
     rounded: u64,
     /// What a place says of values that were rounded.
     note: &'static str,
@@ -36,23 +44,25 @@ impl ParquetRays {
     /// Reads the footer.
     pub(super) fn open(path: &Path, file: File) -> Result<Self, Error> {
         let name = path.display().to_string();
-        let whole = "give a whole Parquet file, not compressed or with snappy";
-        let broken = |error| Error::bad(&name, "footer", format!("it is not a Parquet file: {error}"), whole);
-        let builder = guarded(|| ParquetRecordBatchReaderBuilder::try_new(file)).map_err(broken)?;
-        let columns = columns(builder.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
-        let rows = builder.metadata().file_metadata().num_rows();
+        let broken = |error| broken(path, &error);
+        let footer = guarded(|| ArrowReaderMetadata::load(&file, ArrowReaderOptions::new())).map_err(broken)?;
+        let columns = columns(footer.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
+        let rows = footer.metadata().file_metadata().num_rows();
         let rows = u64::try_from(rows)
             .map_err(|_| Error::bad(&name, "footer", format!("it has {rows} rows"), "give a whole Parquet file"))?;
-        let double = builder.schema().fields().iter().any(|field| *field.data_type() == DataType::Float64);
-        let reader = guarded(|| builder.with_batch_size(BLOCK_ROWS).build()).map_err(broken)?;
+        let double = footer.schema().fields().iter().any(|field| *field.data_type() == DataType::Float64);
+        let reader = guarded(|| builder(&file, &footer)?.build()).map_err(broken)?;
         Ok(Self {
             path: path.to_owned(),
+            file,
+            footer,
             reader,
             columns,
             block: Vec::new(),
             gone: 0,
             rows,
             next: 0,
+            end: rows,
             rounded: 0,
             note: if double { ", rounded to float32" } else { "" },
         })
@@ -76,7 +86,7 @@ impl ParquetRays {
         match guarded(|| reader.next().transpose()) {
             Ok(Some(batch)) => self.convert(&batch).map(|()| true),
             Err(error) => Err(self.bad(format!("it cannot be read: {error}"))),
-            Ok(None) if self.next == self.rows => Ok(false),
+            Ok(None) if self.next == self.end => Ok(false),
             Ok(None) => Err(self.bad(format!("the data ends here; the footer promises {} rows", self.rows))),
         }
     }
@@ -123,9 +133,43 @@ impl Source for ParquetRays {
         Some(self.rows)
     }
 
+    fn select(&mut self, rows: Range<u64>) -> Result<(), Error> {
+        let (mut groups, mut offset, mut start) = (Vec::new(), 0, 0);
+        for (i, group) in self.footer.metadata().row_groups().iter().enumerate() {
+            let held = u64::try_from(group.num_rows()).map_err(|e| broken(&self.path, &e.to_string()))?;
+            let end = start.saturating_add(held);
+            if end > rows.start && start < rows.end {
+                if groups.is_empty() {
+                    offset = rows.start - start;
+                }
+                groups.push(i);
+            }
+            start = end;
+        }
+        let of_groups = [offset, rows.end - rows.start].map(usize::try_from);
+        let [Ok(offset), Ok(limit)] = of_groups else { return Err(broken(&self.path, "it holds more than memory")) };
+        let select =
+            || builder(&self.file, &self.footer)?.with_row_groups(groups).with_offset(offset).with_limit(limit).build();
+        self.reader = guarded(select).map_err(|error| broken(&self.path, &error))?;
+        (self.next, self.end) = (rows.start, rows.end);
+        Ok(())
+    }
+
     fn rounded_values(&self) -> u64 {
         self.rounded
     }
+}
+
+/// A reader of a file whose footer was read.
+fn builder(file: &File, footer: &ArrowReaderMetadata) -> Result<ParquetRecordBatchReaderBuilder<File>, ParquetError> {
+    let builder = ParquetRecordBatchReaderBuilder::new_with_metadata(file.try_clone()?, footer.clone());
+    Ok(builder.with_batch_size(BLOCK_ROWS))
+}
+
+fn broken(path: &Path, error: &str) -> Error {
+    let (what, expected) =
+        (format!("it is not a Parquet file: {error}"), "give a whole Parquet file, not compressed or with snappy");
+    Error::bad(path.display().to_string(), "footer", what, expected)
 }
 
 /// What the parquet crate answers. It panics on some damaged files, and a file is never a reason to crash.

@@ -1,16 +1,15 @@
 use std::fs::File;
 use std::io::{self, Cursor, Read};
+use std::ops::Range;
 use std::path::Path;
 
 use super::csv_rays::CsvRays;
 use super::faults::Faults;
 use super::format::{Format, is_standard_stream};
+use super::input::Input;
 use super::npy_rays::NpyRays;
 use crate::Error;
 use rayproof_scene::{InvalidRays, Ray};
-
-/// Where bytes come from.
-pub(super) type Input = Box<dyn Read + Send>;
 
 /// A table of rays in one format.
 pub(super) trait Source: Send {
@@ -19,6 +18,14 @@ pub(super) trait Source: Send {
 
     /// The rows of the whole table, where its header tells.
     fn total(&self) -> Option<u64>;
+
+    /// The rows of the whole table, counted where its header does not tell; `None` where they pass but once.
+    fn count(&mut self) -> Result<Option<u64>, Error> {
+        Ok(self.total())
+    }
+
+    /// Goes to the first of these rows, without a look at those before, and ends after the last. Asked before the first `fill`.
+    fn select(&mut self, rows: Range<u64>) -> Result<(), Error>;
 
     /// How many values changed so far because they were rounded to `f32`.
     fn rounded_values(&self) -> u64;
@@ -31,6 +38,8 @@ pub(super) trait Source: Send {
 pub struct RayReader {
     source: Box<dyn Source>,
     faults: Faults,
+    /// How many rows were selected, if any were.
+    selected: Option<u64>,
 }
 
 impl RayReader {
@@ -43,7 +52,7 @@ impl RayReader {
     /// the file's size is not what the header says, [`Error::Io`] where reading fails.
     pub fn open(path: &Path, format: Option<Format>, invalid: InvalidRays) -> Result<Self, Error> {
         if is_standard_stream(path) {
-            return Self::from_input(path, Box::new(io::stdin()), format, invalid);
+            return Self::from_pipe(path, Box::new(io::stdin()), format, invalid);
         }
         let format = format.map_or_else(|| Format::of(path), Ok)?;
         let open = |source| Error::Open { path: path.to_owned(), source };
@@ -52,28 +61,29 @@ impl RayReader {
         if metadata.is_dir() {
             return Err(open(io::ErrorKind::IsADirectory.into()));
         }
-        let size = metadata.is_file().then_some(metadata.len());
+        if !metadata.is_file() {
+            return Self::from_pipe(path, Box::new(file), Some(format), invalid);
+        }
         let source: Box<dyn Source> = match format {
-            Format::Npy => Box::new(NpyRays::open(path, Box::new(file), size)?),
-            Format::Csv => Box::new(CsvRays::open(path, Box::new(file))?),
-            Format::Parquet if size.is_some() => parquet(path, file)?,
-            Format::Parquet => return Self::from_input(path, Box::new(file), Some(format), invalid),
+            Format::Npy => Box::new(NpyRays::open(path, Input::File(file), Some(metadata.len()))?),
+            Format::Csv => Box::new(CsvRays::open(path, Input::File(file))?),
+            Format::Parquet => parquet(path, file)?,
         };
-        Ok(Self { source, faults: Faults::new(path.to_owned(), invalid) })
+        Ok(Self { source, faults: Faults::new(path.to_owned(), invalid), selected: None })
     }
 
     /// Reads from a pipe of unknown length; errors call it `path`.
-    pub(super) fn from_input(
+    pub(super) fn from_pipe(
         path: &Path,
-        mut input: Input,
+        mut pipe: Box<dyn Read + Send>,
         format: Option<Format>,
         invalid: InvalidRays,
     ) -> Result<Self, Error> {
         let io_error = |source| Error::Io { path: path.to_owned(), source };
         let mut head = Vec::new();
-        (&mut input).take(6).read_to_end(&mut head).map_err(io_error)?;
+        (&mut pipe).take(6).read_to_end(&mut head).map_err(io_error)?;
         let format = format.unwrap_or_else(|| Format::sniff(&head));
-        let mut input: Input = Box::new(Cursor::new(head).chain(input));
+        let mut input = Input::Pipe(Box::new(Cursor::new(head).chain(pipe)));
         let source: Box<dyn Source> = match format {
             Format::Npy => Box::new(NpyRays::open(path, input, None)?),
             Format::Csv => Box::new(CsvRays::open(path, input)?),
@@ -84,7 +94,33 @@ impl RayReader {
                 parquet(path, file)?
             }
         };
-        Ok(Self { source, faults: Faults::new(path.to_owned(), invalid) })
+        Ok(Self { source, faults: Faults::new(path.to_owned(), invalid), selected: None })
+    }
+
+    /// How many rows there are in all: what the header says, else counted by going through a file once, without a look at the
+    /// numbers, and back; `None` for a CSV pipe.
+    ///
+    /// # Errors
+    /// [`Error::Io`] where reading fails, [`Error::Bad`] at a line without an end.
+    pub fn count(&mut self) -> Result<Option<u64>, Error> {
+        self.source.count()
+    }
+
+    /// Reads these rows only, numbered from 0 as in the file. Those before are not read where a file can be sought in (`.npy`, and
+    /// Parquet by its row groups), and never looked at: a ray or a number that is bad is no fault of a table that does not hold it.
+    ///
+    /// To be called before the first batch.
+    ///
+    /// # Errors
+    /// [`Error::Io`] where reading fails, [`Error::Bad`] where the input ends before the first of them.
+    ///
+    /// # Panics
+    /// When there are known to be fewer rows.
+    pub fn select(&mut self, rows: Range<u64>) -> Result<(), Error> {
+        let total = self.total().unwrap_or(u64::MAX);
+        assert!(rows.start <= rows.end && rows.end <= total, "rows {rows:?} of {total}");
+        self.selected = Some(rows.end - rows.start);
+        self.source.select(rows)
     }
 
     /// Replaces what is in `rays` by the next rays, `max` at most; returns how many, 0 at the end.
@@ -110,10 +146,10 @@ impl RayReader {
         Ok(rays.len())
     }
 
-    /// How many rays there are in all, where the header tells: not for CSV.
+    /// How many rays it will have handed on at its end: those selected, else what the header says; `None` for a whole CSV table.
     #[must_use]
     pub fn total(&self) -> Option<u64> {
-        self.source.total()
+        self.selected.or_else(|| self.source.total())
     }
 
     /// How many bad rays were handed on as misses so far.

@@ -1,37 +1,30 @@
 //! The seeded draws that every family is made of: the same seed gives the same bits.
 
 use glam::{DVec3, Vec3};
+use rayproof_scene::random::Random;
 
 use super::aim::round;
 
-/// A stream of draws: splitmix64 (Steele, Lea and Flood, 2014).
+/// A stream of draws.
 #[derive(Clone, Debug)]
 pub struct Draw {
-    state: u64,
+    random: Random,
 }
 
 impl Draw {
     /// The stream of one scene of one family, or of anything else that two numbers name.
     #[must_use]
     pub fn new(seed: u64, family: u32, scene: u64) -> Self {
-        let mut draw = Self { state: seed };
+        let mut random = Random::from_state(seed);
         for part in [u64::from(family), scene] {
-            draw.state = draw.bits() ^ part;
+            random = Random::from_state(random.bits() ^ part);
         }
-        draw
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        Self { random }
     }
 
     /// Uniform in `low..high`.
     pub fn range(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.bits() >> 11) as f64 / (1_u64 << 53) as f64)
+        low + (high - low) * self.random.unit()
     }
 
     /// Log-uniform in `low..high`, both positive.
@@ -61,7 +54,7 @@ impl Draw {
 
     /// An index below `n`.
     pub fn below(&mut self, n: usize) -> usize {
-        usize::try_from(self.bits() % (n as u64)).unwrap_or(0)
+        usize::try_from(self.random.below(n as u64)).expect("below a usize")
     }
 
     /// One of these.

@@ -11,36 +11,28 @@ mod promise;
 mod roots;
 
 use glam::Vec3;
-use rayproof_scene::{Geometry, Mesh, Ray, Scene, Sphere, Triangle};
+use rayproof_scene::{Geometry, Mesh, Ray, Scene, Sphere, Triangle, random};
 
-/// Seeded random numbers (SplitMix64, Steele et al. 2014).
-struct Random(u64);
+/// The workspace's random numbers, and what these tests draw of them.
+struct Random(random::Random);
 
 impl Random {
     /// Prints the seed, so that a failing run can be told from its output.
     fn new(seed: u64) -> Self {
         println!("seed {seed:#x}");
-        Self(seed)
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ z >> 31
+        Self(random::Random::from_state(seed))
     }
 
     /// Below `n`.
     #[expect(clippy::cast_possible_truncation, reason = "the remainder of a u32")]
     fn below(&mut self, n: u32) -> u32 {
-        (self.bits() % u64::from(n)) as u32
+        self.0.below(u64::from(n)) as u32
     }
 
     /// Uniform in `[low, high)`.
     #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
     fn uniform(&mut self, low: f32, high: f32) -> f32 {
-        let unit = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
-        (f64::from(low) + unit * (f64::from(high) - f64::from(low))) as f32
+        (f64::from(low) + self.0.unit() * (f64::from(high) - f64::from(low))) as f32
     }
 
     /// Log-uniform between powers of ten.

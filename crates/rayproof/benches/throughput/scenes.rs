@@ -4,9 +4,8 @@ use std::path::Path;
 
 use glam::Vec3;
 use rayproof::files::load;
+use rayproof::scene::random::Random;
 use rayproof::scene::{Geometry, Mesh, Scene, Sphere};
-
-use crate::rays::Numbers;
 
 /// Name and rows of a mesh of four times their square in triangles, for where the file is not there.
 const SCENES: [(&str, u32); 3] = [("bunny", 131), ("dragon", 466), ("hall", 270)];
@@ -23,10 +22,12 @@ pub(crate) fn all() -> anyhow::Result<Vec<(&'static str, Scene)>> {
 
 /// A million spheres at random places of a cube, at random sizes about a third of their mean distance.
 fn spheres() -> Scene {
-    let mut numbers = Numbers(3);
-    let mut next = || numbers.next();
-    let sphere = |_| Sphere { center: Vec3::new(next(), next(), next()) * 100.0, radius: 0.1 + 0.4 * next() };
-    Scene::new(vec![Geometry::Spheres((0..1_000_000).map(sphere).collect())]).expect("made of finite numbers")
+    let mut random = Random::new(3, 0);
+    let mut sphere = |_| {
+        let center = random.in_cube().as_vec3() * 100.0;
+        Sphere { center, radius: 0.1 + 0.4 * random.unit() as f32 }
+    };
+    Scene::new(vec![Geometry::Spheres((0..1_000_000).map(&mut sphere).collect())]).expect("made of finite numbers")
 }
 
 /// A closed ball with bumps of several sizes.

@@ -1,8 +1,8 @@
 //! Whole scenes: millions of rays a second, and the errors of a sample of the same rays.
 
-use glam::{DVec3, Vec3};
-use rayproof::scene::{Camera, FlatHit, Geometry, Kind, Primitive, Ray, Scene, Sphere};
-use rayproof::{Device, DeviceChoice, Intersector, Precision};
+use glam::DVec3;
+use rayproof::rays::{Diffuse, Incoherent, Primary};
+use rayproof::scene::{Camera, FlatHit, Geometry, Kind, Ray, Scene, Sphere};
 use rayproof_oracle::families::{Draw, meshes};
 
 use super::case::errors;
@@ -58,10 +58,10 @@ pub(crate) fn measure(
 ) -> Result<Vec<SceneRow>, Error> {
     progress.stage("scenes", scenes.len() * KINDS.len());
     let mut rows = Vec::new();
-    for (number, Named { name, scene }) in scenes.iter().enumerate() {
+    for Named { name, scene } in scenes {
         let builds = builds(run, scene)?;
         for kind in KINDS {
-            let rays = rays(scene, kind, run.plan.scene, &mut Draw::new(run.plan.seed, 105, number as u64))?;
+            let rays = rays(scene, kind, run.plan.scene, run.plan.seed)?;
             let rows_of = if rays.is_empty() { Vec::new() } else { entries(run, scene, &rays, &builds)? };
             rows.push(SceneRow { scene: name.clone(), rays: kind.to_owned(), rows: rows_of });
             progress.step();
@@ -136,46 +136,18 @@ pub(crate) fn sample(rays: &[Ray], count: usize, draw: &mut Draw) -> Vec<Ray> {
 }
 
 /// About so many rays of a kind; none where the camera sees nothing.
-fn rays(scene: &Scene, kind: &str, count: usize, draw: &mut Draw) -> Result<Vec<Ray>, Error> {
+fn rays(scene: &Scene, kind: &str, count: usize, seed: u64) -> Result<Vec<Ray>, Error> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a root of a count in memory")]
     let side = (count as f64).sqrt() as u32;
-    let primary = || Camera::framing(scene).rays(side, side, 0..side).collect::<Vec<Ray>>();
-    Ok(match kind {
-        "primary" => primary(),
-        "incoherent" => incoherent(scene, count, draw),
-        _ => diffuse(scene, &primary(), count, draw)?,
-    })
-}
-
-/// From the bounding sphere to uniform points of the box.
-fn incoherent(scene: &Scene, count: usize, draw: &mut Draw) -> Vec<Ray> {
-    let [low, high] = scene.bounds().unwrap_or_default().map(Vec3::as_dvec3);
-    let (center, radius) = ((low + high) * 0.5, (high - low).length() * 0.5);
-    let ray = |_| {
-        let from = (center + draw.unit() * radius).as_vec3();
-        let share = DVec3::new(draw.range(0.0, 1.0), draw.range(0.0, 1.0), draw.range(0.0, 1.0));
-        let to = low + (high - low) * share;
-        Ray::new(from, (to - from.as_dvec3()).normalize_or(DVec3::X).as_vec3())
-    };
-    (0..count).map(ray).collect()
-}
-
-/// From just off what the primary rays hit, in cosine-weighted directions.
-fn diffuse(scene: &Scene, primary: &[Ray], count: usize, draw: &mut Draw) -> Result<Vec<Ray>, Error> {
-    let mut hits = vec![FlatHit::MISS; primary.len()];
-    Intersector::on(&Device::open(&DeviceChoice::Cpu)?, scene, Precision::Exact)?.closest_flat(primary, &mut hits)?;
-    let seen: Vec<(&Ray, &FlatHit)> = primary.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()).collect();
-    let ray = |(ray, hit): &(&Ray, &FlatHit)| {
-        let at = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
-        let normal = match scene.primitive(hit.primitive as usize) {
-            Primitive::Triangle(triangle) => triangle.normal().as_dvec3(),
-            Primitive::Sphere(sphere) => at - sphere.center.as_dvec3(),
-        };
-        let normal = normal.normalize_or(DVec3::X);
-        let normal = if normal.dot(ray.direction.as_dvec3()) > 0.0 { -normal } else { normal };
-        let off = 1e-4 * at.abs().max_element().max(f64::from(hit.t));
-        let direction = (normal + draw.unit() * 0.999).normalize_or(normal);
-        Ray::new((at + normal * off).as_vec3(), direction.as_vec3())
-    };
-    Ok(seen.iter().cycle().take(if seen.is_empty() { 0 } else { count }).map(ray).collect())
+    let primary = Primary { camera: &Camera::framing(scene), width: side, height: side };
+    let mut rays = Vec::with_capacity(count);
+    match kind {
+        "primary" => rays.extend(primary.blocks(count).flatten()),
+        "incoherent" => rays.extend(Incoherent::new(scene, seed).rays(0..count as u64)),
+        _ => Diffuse::new(scene, primary, |_| ())?.send(count as u64, seed, |block| {
+            rays.extend_from_slice(block);
+            Ok::<(), Error>(())
+        })?,
+    }
+    Ok(rays)
 }

@@ -1,17 +1,15 @@
 //! Every primitive is found once, inside the boxes above it.
 
+use rayproof_scene::random::Random;
 use rayproof_scene::{Geometry, Mesh, Scene, Sphere};
 
 use super::*;
 use crate::Scaling;
 
-/// A scene of both kinds, from a fixed linear congruence, with duplicates and one far larger than the rest.
+/// A scene of both kinds, from a fixed seed, with duplicates and one far larger than the rest.
 fn scene(triangles: usize, spheres: usize) -> Scene {
-    let mut state = 11_u64;
-    let mut x = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 40) as f32 / 16_777_216.0
-    };
+    let mut random = Random::new(11, 0);
+    let mut x = || random.unit() as f32;
     let mut mesh = Mesh::default();
     for i in 0..triangles {
         let at = Vec3::new(x(), x(), x()) * if i % 5 == 0 { 0.0 } else { 10.0 };

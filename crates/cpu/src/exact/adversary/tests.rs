@@ -3,6 +3,8 @@
 
 use std::cell::RefCell;
 
+use rayproof_scene::random::Random;
+
 use super::{Adverse, Arithmetic, Fusing, Rounding, compute_by};
 use crate::exact::resolve::{self, ExactRay, Shape};
 use crate::lanes::Corners;
@@ -15,13 +17,11 @@ use crate::twin::math::power_of_two;
 /// Hard cases a shape and arithmetic.
 const CASES: usize = 20_000;
 
-struct Random(RefCell<u64>);
+struct Draw(RefCell<Random>);
 
-impl Random {
+impl Draw {
     fn below(&self, n: u64) -> u64 {
-        let mut state = self.0.borrow_mut();
-        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (*state >> 33) % n
+        self.0.borrow_mut().below(n)
     }
 
     /// From -1 to 1; now and then a small whole number over 8, so that things meet exactly.
@@ -64,7 +64,7 @@ fn f32s(p: [f64; 3]) -> [f32; 3] {
 }
 
 /// A ray from far or near at a target, or past it by a little.
-fn aimed(random: &Random, target: [f64; 3], size: f64, shape: Shape) -> Option<Case> {
+fn aimed(random: &Draw, target: [f64; 3], size: f64, shape: Shape) -> Option<Case> {
     let far = size * random.power(-24, 20);
     let origin = f32s(add(target, random.point(), far.min(2.0_f64.powi(50))));
     let aside = add(target, random.point(), if random.below(2) == 0 { 0.0 } else { size * random.power(-30, -4) });
@@ -75,7 +75,7 @@ fn aimed(random: &Random, target: [f64; 3], size: f64, shape: Shape) -> Option<C
 }
 
 /// Triangles of every size, slivers among them, aimed at inside, at edges and at corners.
-fn triangle_case(random: &Random) -> Option<Case> {
+fn triangle_case(random: &Draw) -> Option<Case> {
     let size = random.power(-70, 20);
     let center = random.point().map(|x| x * size * random.power(-4, 12));
     let a = add(center, random.point(), size);
@@ -94,7 +94,7 @@ fn triangle_case(random: &Random) -> Option<Case> {
 }
 
 /// Spheres of every size, aimed at their middle, at the rim and just beside it.
-fn sphere_case(random: &Random) -> Option<Case> {
+fn sphere_case(random: &Draw) -> Option<Case> {
     let radius = f32s([random.power(-70, 20) * (1.0 + random.unit().abs()), 0.0, 0.0])[0];
     let size = f64::from(radius);
     let center = f32s(random.point().map(|x| x * size * random.power(-4, 12))).map(f64::from);
@@ -217,7 +217,7 @@ impl Case {
 /// Tries the certificates with the roundoff `u` under an arithmetic.
 fn try_out(u: f32, damage: Damage, arithmetic: Arithmetic, tally: &mut Tally) {
     compute_by(arithmetic);
-    let random = Random(RefCell::new(7));
+    let random = Draw(RefCell::new(Random::new(7, 0)));
     for make in [triangle_case, sphere_case] {
         for case in std::iter::repeat_with(|| make(&random)).flatten().take(CASES) {
             case.check(u, damage, arithmetic, tally);

@@ -1,13 +1,11 @@
+use rayproof_scene::random::Random;
+
 use super::*;
 
 /// Whole numbers over 8 from -2 to 2.
 fn numbers(count: usize) -> impl Iterator<Item = f64> {
-    let mut state = 3_u64;
-    std::iter::repeat_with(move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(state >> 59).expect("5 bits")) / 8.0 - 2.0
-    })
-    .take(count)
+    let mut random = Random::new(3, 0);
+    std::iter::repeat_with(move || f64::from(u32::try_from(random.below(32)).expect("5 bits")) / 8.0 - 2.0).take(count)
 }
 
 /// Rays and shapes of small whole numbers: much meets exactly.

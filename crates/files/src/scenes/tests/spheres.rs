@@ -73,10 +73,10 @@ fn bad_arrays_are_named() {
     let data = f4(&[[1.0; 4]; 2]);
     let table = "give an array of shape (N, 4), dtype float32 or float64, little-endian, in C order";
     for (descr, order, shape, said) in [
-        ("<f4", "False", "(2, 3)", format!("the header: the shape is [2, 3]; {table}")),
-        ("<f4", "False", "(8,)", format!("the header: the shape is [8]; {table}")),
-        ("<f4", "False", "(1, 2, 4)", format!("the header: the shape is [1, 2, 4]; {table}")),
-        ("<f4", "True", "(2, 4)", format!("the header: the order is Fortran's; {table}")),
+        ("<f4", "False", "(2, 3)", format!("the header: the shape is (2, 3); {table}")),
+        ("<f4", "False", "(8,)", format!("the header: the shape is (8,); {table}")),
+        ("<f4", "False", "(1, 2, 4)", format!("the header: the shape is (1, 2, 4); {table}")),
+        ("<f4", "True", "(2, 4)", format!("the header: the array is in Fortran order; {table}")),
         (">f4", "False", "(2, 4)", format!("the header: the dtype is '>f4'; {table}")),
         ("<i4", "False", "(2, 4)", format!("the header: the dtype is '<i4'; {table}")),
         ("<f2", "False", "(2, 4)", format!("the header: the dtype is '<f2'; {table}")),
@@ -94,14 +94,38 @@ fn bad_arrays_are_named() {
              file"
             .into(),
         ),
-        ("<f4", "False", "(9999999999999999999, 4)", format!("the header: this is not the header of a table; {table}")),
-        ("<f4", "False", &"(".repeat(60_000), format!("the header: this is not the header of a table; {table}")),
+        (
+            "<f4",
+            "False",
+            "(9999999999999999999, 4)",
+            "row 2 (counting from 0): 9999999999999999999 rows of 16 bytes are announced and 32 bytes follow; give the whole \
+             file"
+            .into(),
+        ),
+        (
+            "<f4",
+            "False",
+            "(99999999999999999999, 4)",
+            format!("the header: the shape is (99999999999999999999, 4); {table}"),
+        ),
+        (
+            "<f4",
+            "False",
+            &"(".repeat(60_000),
+            format!("the header: the header has 60054 bytes, more than 10000; {table}"),
+        ),
     ] {
         assert_eq!(message(npy("f.npy", &write::npy(descr, order, shape, &data))), format!("f.npy: {said}"));
     }
-    assert_eq!(message(npy("f.npy", b"x,y,z,r")), format!("f.npy: the header: this is not an npy file; {table}"));
+    assert_eq!(
+        message(npy("f.npy", b"x,y,z,r\n0,0,0,1\n")),
+        format!("f.npy: the header: it does not start with the .npy magic number; {table}")
+    );
     let huge = [&b"\x93NUMPY\x02\x00"[..], &u32::MAX.to_le_bytes()].concat();
-    assert_eq!(message(npy("f.npy", &huge)), format!("f.npy: the header: the file ends within it; {table}"));
+    assert_eq!(
+        message(npy("f.npy", &huge)),
+        format!("f.npy: the header: the header has 4294967295 bytes, more than 10000; {table}")
+    );
 }
 
 proptest! {

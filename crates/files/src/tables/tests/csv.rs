@@ -95,7 +95,7 @@ fn bad_rays_are_named_by_line_and_counted() {
     assert_eq!(first.expected, "give it any length but zero");
 
     let input = Box::new(std::io::Cursor::new(text.into_bytes()));
-    let mut reader = RayReader::from_input(Path::new("-"), input, Some(Format::Csv), InvalidRays::Miss).unwrap();
+    let mut reader = RayReader::from_pipe(Path::new("-"), input, Some(Format::Csv), InvalidRays::Miss).unwrap();
     let rays = drain(&mut reader, 2).unwrap();
     assert_eq!(
         rays.iter().map(|r| *r == INVALID_RAY).collect::<Vec<_>>(),

@@ -6,6 +6,7 @@ mod npy;
 mod parquet;
 mod pipe;
 mod round_trip;
+mod select;
 mod write;
 
 use std::io::Cursor;
@@ -37,7 +38,7 @@ fn read_file(path: &Path) -> Result<Vec<Ray>, Error> {
 /// Every ray of these bytes, as from a pipe.
 fn read_pipe(bytes: &[u8], format: Option<Format>) -> Result<Vec<Ray>, Error> {
     let input = Box::new(Cursor::new(bytes.to_vec()));
-    drain(&mut RayReader::from_input(Path::new("-"), input, format, InvalidRays::Error)?, 3)
+    drain(&mut RayReader::from_pipe(Path::new("-"), input, format, InvalidRays::Error)?, 3)
 }
 
 /// What is bad; anything else fails the test.

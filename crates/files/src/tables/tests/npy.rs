@@ -127,7 +127,7 @@ fn float64_is_rounded_to_the_nearest_and_counted() {
     let data = values.iter().flat_map(|x| x.to_le_bytes()).collect();
     let bytes = npy_bytes(&dictionary("'<f8'", "(1, 8)"), data);
     let input = Box::new(std::io::Cursor::new(bytes));
-    let mut reader = RayReader::from_input(Path::new("-"), input, None, InvalidRays::Error).unwrap();
+    let mut reader = RayReader::from_pipe(Path::new("-"), input, None, InvalidRays::Error).unwrap();
     let rays = drain(&mut reader, 10).unwrap();
     let up = 1.0_f32.next_up();
     let expected = Ray {
@@ -144,7 +144,7 @@ fn float64_is_rounded_to_the_nearest_and_counted() {
 fn a_float64_nan_is_no_rounded_value() {
     let data = [f64::NAN, 1.0, 1.0, 1.0, 1.0, 0.1].iter().flat_map(|x| x.to_le_bytes()).collect();
     let input = Box::new(std::io::Cursor::new(npy_bytes(&dictionary("'<f8'", "(1, 6)"), data)));
-    let mut reader = RayReader::from_input(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
+    let mut reader = RayReader::from_pipe(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
     assert_eq!(drain(&mut reader, 10).unwrap(), [INVALID_RAY]);
     assert_eq!((reader.invalid(), reader.rounded_values()), (1, 1));
 }
@@ -178,7 +178,7 @@ fn the_first_bad_ray_is_named_and_all_are_counted() {
     );
 
     let input = Box::new(std::io::Cursor::new(bytes));
-    let mut reader = RayReader::from_input(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
+    let mut reader = RayReader::from_pipe(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
     let rays = drain(&mut reader, 6).unwrap();
     let missing: Vec<usize> = (0..20).filter(|&i| rays[i] == INVALID_RAY).collect();
     assert_eq!((missing, reader.invalid(), reader.total()), (vec![7, 8, 13, 19], 4, Some(20)));

@@ -75,7 +75,7 @@ proptest! {
     fn float64_rounds_as_the_language_does(values in prop::collection::vec(any::<f64>(), 8..=8)) {
         let bytes = npy_bytes(&dictionary("'<f8'", "(1, 8)"), values.iter().flat_map(|x| x.to_le_bytes()).collect());
         let input = Box::new(std::io::Cursor::new(bytes));
-        let mut reader = RayReader::from_input(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
+        let mut reader = RayReader::from_pipe(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
         let ray = drain(&mut reader, 1).unwrap()[0];
         #[expect(clippy::cast_possible_truncation, reason = "what is expected")]
         let expected: Vec<u32> = values.iter().map(|&x| (x as f32).to_bits()).collect();

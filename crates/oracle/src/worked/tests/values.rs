@@ -3,6 +3,7 @@
 use dashu_base::Sign;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
+use rayproof_scene::random::Random;
 
 use super::super::Value;
 use crate::Root;
@@ -17,12 +18,6 @@ fn root(p: RBig, sign: Sign, d: RBig) -> Value {
 
 fn exact(p: RBig) -> Value {
     Value::Exact(p.into())
-}
-
-/// Any bits, of a 64-bit congruence.
-fn draw(bits: &mut u64) -> u64 {
-    *bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    *bits ^ *bits >> 29
 }
 
 #[test]
@@ -83,11 +78,11 @@ fn decimals_of_zero_and_of_what_is_no_number() {
 #[test]
 #[expect(clippy::cast_possible_truncation, reason = "the low bits are an f32's")]
 fn decimals_are_those_of_the_standard_library() {
-    let mut bits = 7;
+    let mut random = Random::new(7, 0);
     let mut finite = 0;
     for i in 0..20_000 {
         let digits = 1 + i % 25;
-        let (x, y) = (f32::from_bits(draw(&mut bits) as u32), f64::from_bits(draw(&mut bits)));
+        let (x, y) = (f32::from_bits(random.bits() as u32), f64::from_bits(random.bits()));
         if x.is_finite() && y.is_finite() && x != 0.0 && y != 0.0 {
             assert_eq!(Value::F32(x).decimal(digits), format!("{x:.*e}", digits - 1));
             assert_eq!(Value::F64(y).decimal(digits), format!("{y:.*e}", digits - 1));

@@ -5,17 +5,18 @@
 #![expect(clippy::cast_possible_truncation, reason = "small whole numbers")]
 #![expect(clippy::print_stdout, reason = "a test says its seed")]
 
+use rayproof_scene::random::Random;
+
 use super::*;
 
 const RAYS: usize = 300_000;
 const SEED: u64 = 0x51ab;
 
-struct Random(u64);
+struct Draw(Random);
 
-impl Random {
+impl Draw {
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        self.0 >> 33
+        self.0.bits() >> 33
     }
 
     fn one_in(&mut self, n: u64) -> bool {
@@ -39,7 +40,7 @@ struct Touch {
 }
 
 /// Whole numbers `(from, to, point)` with `from + m to = point`, each an `f32`, though `point - from` may be none.
-fn axis(r: &mut Random, m: i64) -> (i64, i64, i64) {
+fn axis(r: &mut Draw, m: i64) -> (i64, i64, i64) {
     let bits = r.within(1, 24);
     let to = i64::from(r.within(-(1 << bits) + 1, (1 << bits) - 1));
     let product = m * to;
@@ -57,7 +58,7 @@ fn axis(r: &mut Random, m: i64) -> (i64, i64, i64) {
     }
 }
 
-fn touch(r: &mut Random) -> Option<Touch> {
+fn touch(r: &mut Draw) -> Option<Touch> {
     let m = i64::from(r.within(1, 1023));
     let [mut low, mut high, mut origin, mut to] = [Vec3::ZERO; 4];
     for i in 0..3 {
@@ -84,7 +85,7 @@ fn touch(r: &mut Random) -> Option<Touch> {
 
 fn touches() -> Vec<Touch> {
     println!("seed {SEED:#x}, {RAYS} rays that touch");
-    let mut r = Random(SEED);
+    let mut r = Draw(Random::new(SEED, 0));
     std::iter::repeat_with(|| touch(&mut r)).flatten().take(RAYS).collect()
 }
 
@@ -116,7 +117,7 @@ fn every_box_that_is_touched_is_met() {
 /// The slab test once more, under all that WGSL allows: either neighbour of every exact result, 2.5 ULP of a reciprocal,
 /// subnormals flushed or not. Each result is chosen at random, or always to shorten the interval.
 struct Adversary<'a> {
-    random: &'a mut Random,
+    random: &'a mut Draw,
     /// Where results are pushed: away from zero, towards it, or at random.
     push: std::cmp::Ordering,
 }
@@ -202,7 +203,7 @@ impl Adversary<'_> {
 
 #[test]
 fn no_arithmetic_that_wgsl_allows_loses_a_touch() {
-    let mut choices = Random(99);
+    let mut choices = Draw(Random::new(99, 0));
     for t in touches() {
         for worst in [true, false, false, false] {
             let mut adversary = Adversary { random: &mut choices, push: std::cmp::Ordering::Equal };

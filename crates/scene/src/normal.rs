@@ -1,7 +1,8 @@
 //! The geometric normal of a surface.
 
 use glam::DVec3;
-use rayproof_scene::{FlatHit, Primitive, Scene};
+
+use crate::{FlatHit, Primitive, Scene};
 
 /// The geometric normal of the primitive that was hit, at a point `p` of it, of any length.
 ///

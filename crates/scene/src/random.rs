@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// `SplitMix64` (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Random(u64);
+pub struct Random(u64);
 
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
@@ -16,30 +16,46 @@ const fn mix(mut z: u64) -> u64 {
 }
 
 impl Random {
-    /// The stream of ray `index`.
-    pub(crate) const fn new(seed: u64, index: u64) -> Self {
+    /// The stream of ray `index`, or of whatever else a number names.
+    #[must_use]
+    pub const fn new(seed: u64, index: u64) -> Self {
         // Mixed twice: streams start at unrelated points of the one cycle.
         Self(mix(mix(seed.wrapping_add(GOLDEN)).wrapping_add(index)))
     }
 
-    const fn next(&mut self) -> u64 {
+    /// The stream that starts right after this state of `SplitMix64`.
+    #[must_use]
+    pub const fn from_state(state: u64) -> Self {
+        Self(state)
+    }
+
+    /// 64 random bits.
+    pub const fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(GOLDEN);
         mix(self.0)
     }
 
+    /// A whole number below `n`; for a small `n`, each about as likely.
+    ///
+    /// # Panics
+    /// When `n` is 0.
+    pub const fn below(&mut self, n: u64) -> u64 {
+        self.bits() % n
+    }
+
     /// A number from 0 to 1, 1 excluded, in steps of 2^-53.
     #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
-    pub(crate) const fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    pub const fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// A point of the unit cube.
-    pub(crate) const fn in_cube(&mut self) -> DVec3 {
+    pub const fn in_cube(&mut self) -> DVec3 {
         DVec3::new(self.unit(), self.unit(), self.unit())
     }
 
     /// A point of the unit sphere's surface, uniformly (Marsaglia 1972). Only square roots: the same on every machine.
-    pub(crate) fn on_sphere(&mut self) -> DVec3 {
+    pub fn on_sphere(&mut self) -> DVec3 {
         loop {
             let (x, y) = (2.0 * self.unit() - 1.0, 2.0 * self.unit() - 1.0);
             let s = x * x + y * y;
@@ -60,7 +76,7 @@ mod tests {
         // Published: SplitMix64 from state 0 gives e220a8397b1dcdaf, 6e789e6aa1b965f4, 06c45d188009454f.
         let mut random = Random(0);
         assert_eq!(
-            [random.next(), random.next(), random.next()],
+            [random.bits(), random.bits(), random.bits()],
             [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4, 0x06c4_5d18_8009_454f]
         );
     }

@@ -1,20 +1,22 @@
-//! Which rays `--check N` looks at: N of them, spread evenly over the batch, whether its length is known or not.
+//! Which rays a check looks at: so many of them, spread evenly over the batch, whether its length is known or not.
 
-use rayproof::scene::Ray;
+use rayproof_scene::Ray;
 
-use crate::parse::share;
+use super::shard::share;
 
 /// A ray and the answer that was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sample<A> {
+pub struct Sample<A> {
     /// The number of the ray, counting from 0.
-    pub(crate) index: u64,
-    pub(crate) ray: Ray,
-    pub(crate) answer: A,
+    pub index: u64,
+    /// The ray.
+    pub ray: Ray,
+    /// The engine's answer.
+    pub answer: A,
 }
 
 /// Picks samples out of the stream; holds at most twice as many as are wanted.
-pub(crate) struct Sampler<A> {
+pub(super) struct Sampler<A> {
     want: u64,
     total: Option<u64>,
     /// Where the length is not known: every `stride`-th ray is kept.
@@ -24,12 +26,12 @@ pub(crate) struct Sampler<A> {
 
 impl<A: Copy> Sampler<A> {
     /// Samples `want` of `total` rays, or all of them where there are fewer.
-    pub(crate) fn new(want: u64, total: Option<u64>) -> Self {
+    pub(super) fn new(want: u64, total: Option<u64>) -> Self {
         Self { want: total.map_or(want, |total| want.min(total)), total, stride: 1, samples: Vec::new() }
     }
 
     /// Looks at the batch whose first ray has number `first`. Batches come in order.
-    pub(crate) fn take(&mut self, first: u64, rays: &[Ray], answers: &[A]) {
+    pub(super) fn take(&mut self, first: u64, rays: &[Ray], answers: &[A]) {
         let end = first + rays.len() as u64;
         let mut from = first;
         while let Some(index) = self.next(from).filter(|&index| index < end) {
@@ -57,7 +59,7 @@ impl<A: Copy> Sampler<A> {
     }
 
     /// The samples, in the rays' order.
-    pub(crate) fn finish(self) -> Vec<Sample<A>> {
+    pub(super) fn finish(self) -> Vec<Sample<A>> {
         let have = self.samples.len() as u64;
         if have <= self.want {
             return self.samples;

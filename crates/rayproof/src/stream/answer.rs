@@ -1,32 +1,32 @@
-//! The three questions that can be asked of a ray, and what goes with each.
+use rayproof_files::{self as files, HitKind, HitWriter};
+use rayproof_scene::{Hit, Ray, Undecided};
 
-use rayproof::files::{self, HitKind, HitWriter};
-use rayproof::scene::{Hit, Ray, Undecided};
-use rayproof::{Error, Intersector};
-use rayproof_oracle::Oracle;
-use rayproof_oracle::judge::{Verdict, judge_any, judge_closest, judge_count};
+use crate::{Error, Intersector};
 
-/// An answer to one ray.
-pub(crate) trait Answer: Copy + Send + Sync + 'static {
-    /// The query's name on the command line.
-    const QUERY: &'static str;
+/// An answer to one ray: a [`Hit`] to "where first?", a `u8` to "at all?", a `u32` to "how often?".
+pub trait Answer: Copy + Send + Sync + 'static {
     /// What the file of answers holds.
     const KIND: HitKind;
     /// The answer to a ray that hits nothing.
     const MISS: Self;
 
     /// Asks the engine; returned is how many rays its stages left open.
+    ///
+    /// # Errors
+    /// As the question of [`Intersector`] that it asks.
     fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error>;
-    /// Appends answers to the file.
+
+    /// Appends answers to a file of [`KIND`](Self::KIND).
+    ///
+    /// # Errors
+    /// When writing fails.
     fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error>;
+
     /// Whether the ray hits anything.
     fn is_hit(&self) -> bool;
-    /// Asks the oracle.
-    fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict;
 }
 
 impl Answer for Hit {
-    const QUERY: &'static str = "closest";
     const KIND: HitKind = HitKind::Closest;
     const MISS: Self = Self::MISS;
 
@@ -41,15 +41,10 @@ impl Answer for Hit {
     fn is_hit(&self) -> bool {
         Self::is_hit(self)
     }
-
-    fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict {
-        judge_closest(oracle, ray, &oracle.scene().flat_hit(self))
-    }
 }
 
 /// 1 for a hit, 0 for a miss.
 impl Answer for u8 {
-    const QUERY: &'static str = "any";
     const KIND: HitKind = HitKind::Any;
     const MISS: Self = 0;
 
@@ -64,15 +59,10 @@ impl Answer for u8 {
     fn is_hit(&self) -> bool {
         *self != 0
     }
-
-    fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict {
-        judge_any(oracle, ray, *self)
-    }
 }
 
 /// The number of crossings.
 impl Answer for u32 {
-    const QUERY: &'static str = "count";
     const KIND: HitKind = HitKind::Count;
     const MISS: Self = 0;
 
@@ -86,9 +76,5 @@ impl Answer for u32 {
 
     fn is_hit(&self) -> bool {
         *self != 0
-    }
-
-    fn judge(&self, oracle: &Oracle, ray: &Ray) -> Verdict {
-        judge_count(oracle, ray, *self)
     }
 }

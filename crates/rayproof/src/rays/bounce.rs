@@ -1,10 +1,8 @@
-//! Rays that leave the surface where primary rays hit it: what a path tracer asks next.
+use rayproof_scene::normal::{facing, normal};
+use rayproof_scene::random::Random;
+use rayproof_scene::{Hit, Ray, Scene};
 
-use glam::{DVec3, Vec3};
-use rayproof::scene::{Hit, Ray, Scene};
-use rayproof_picture::normal::{facing, normal};
-
-use crate::random::Random;
+use super::finite;
 
 /// How far the origin is pushed off the surface, against meeting it again at once: so many times the distance from
 /// the eye or the largest coordinate of the point, whichever is larger. 256 times the rounding of an f32.
@@ -12,7 +10,7 @@ const PUSH: f64 = 1.0 / 65536.0;
 
 /// The ray from where `ray` hits, in a cosine-weighted random direction about the geometric normal that faces the
 /// viewer.
-pub(crate) fn bounce(scene: &Scene, ray: &Ray, hit: &Hit, random: &mut Random) -> Ray {
+pub(super) fn bounce(scene: &Scene, ray: &Ray, hit: &Hit, random: &mut Random) -> Ray {
     let d = ray.direction.as_dvec3();
     let along = d * f64::from(hit.t);
     let p = ray.origin.as_dvec3() + along;
@@ -23,14 +21,10 @@ pub(crate) fn bounce(scene: &Scene, ray: &Ray, hit: &Hit, random: &mut Random) -
     Ray::new(finite(p + normal * push), direction.as_vec3())
 }
 
-/// Rounded to the nearest f32, within its range.
-pub(crate) fn finite(p: DVec3) -> Vec3 {
-    p.as_vec3().clamp(Vec3::MIN, Vec3::MAX)
-}
-
 #[cfg(test)]
 mod tests {
-    use rayproof::scene::{Geometry, Mesh, Sphere};
+    use glam::Vec3;
+    use rayproof_scene::{Geometry, Mesh, Sphere};
 
     use super::*;
 
@@ -38,7 +32,7 @@ mod tests {
     fn bounces_leave_on_the_viewers_side_with_the_cosine() {
         let square = Mesh { vertices: vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles: vec![[0, 1, 2]] };
         let spheres = vec![Sphere { center: Vec3::new(5.0, 0.0, -1.0), radius: 1.0 }];
-        let scene = Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]).expect("a valid scene");
+        let scene = Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]).expect("made of finite numbers");
         for (x, geometry, side) in [(0.25, 0, 1.0), (0.25, 0, -1.0), (5.0, 1, 1.0)] {
             let ray = Ray::new(Vec3::new(x, 0.0, side * 4.0), Vec3::new(0.0, 0.0, -side));
             let hit = Hit { t: 4.0, u: 0.25, v: 0.0, geometry, primitive: 0 };

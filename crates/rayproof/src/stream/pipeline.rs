@@ -7,13 +7,10 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use rayproof::scene::Ray;
-
-use crate::exit::Failure;
-use crate::interrupt;
+use rayproof_scene::Ray;
 
 /// Rays a batch: enough to fill a GPU, and 32 MiB.
-pub(crate) const BATCH: usize = 1 << 20;
+pub const BATCH: usize = 1 << 20;
 /// One being read, one traced, one written, and one waiting.
 const BATCHES: usize = 4;
 
@@ -26,26 +23,29 @@ struct Batch<A> {
 
 /// What tracing came to.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Traced {
-    pub(crate) rays: u64,
+pub(super) struct Traced {
+    pub(super) rays: u64,
     /// From the first ray handed to the engine to the last answer back.
-    pub(crate) seconds: f64,
+    pub(super) seconds: f64,
 }
 
 /// Runs the pipeline until `read` leaves a batch empty, and gives the source back.
 ///
 /// `read` fills an empty vector from the source. `trace` gets rays and as many answers, all `miss`, to fill. `write` gets the
-/// number of the first ray, the rays and the answers. The first failure of any of the three ends the run.
-pub(crate) fn run<S, A>(
+/// number of the first ray, the rays and the answers. `go_on` is asked before each batch, and while the reader is waited for ten
+/// times a second. The first failure of any of the four ends the run.
+pub(super) fn run<S, A, E>(
     source: S,
-    read: impl FnMut(&mut S, &mut Vec<Ray>) -> Result<(), Failure> + Send + 'static,
+    read: impl FnMut(&mut S, &mut Vec<Ray>) -> Result<(), E> + Send + 'static,
     miss: A,
-    trace: impl FnMut(&[Ray], &mut [A]) -> Result<(), Failure>,
-    write: impl FnMut(u64, &[Ray], &[A]) -> Result<(), Failure> + Send,
-) -> Result<(S, Traced), Failure>
+    trace: impl FnMut(&[Ray], &mut [A]) -> Result<(), E>,
+    write: impl FnMut(u64, &[Ray], &[A]) -> Result<(), E> + Send,
+    go_on: impl FnMut() -> Result<(), E>,
+) -> Result<(S, Traced), E>
 where
     S: Send + 'static,
     A: Copy + Send + 'static,
+    E: Send + 'static,
 {
     let (free_in, free_out) = mpsc::sync_channel(BATCHES);
     let (read_in, read_out) = mpsc::sync_channel(BATCHES);
@@ -57,7 +57,7 @@ where
     let reader = thread::spawn(move || read_all(source, read, &free_out, &read_in));
     let traced = thread::scope(|scope| {
         let writer = scope.spawn(move || write_all(write, &done_out, &free_in));
-        let traced = trace_all(miss, trace, &read_out, done_in);
+        let traced = trace_all(miss, trace, go_on, &read_out, done_in);
         // A failed writer hung up on the tracer: its reason is the reason.
         let written = writer.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         written.and(traced)
@@ -66,11 +66,11 @@ where
     Ok((source, traced))
 }
 
-fn read_all<S, A>(
+fn read_all<S, A, E>(
     mut source: S,
-    mut read: impl FnMut(&mut S, &mut Vec<Ray>) -> Result<(), Failure>,
+    mut read: impl FnMut(&mut S, &mut Vec<Ray>) -> Result<(), E>,
     free: &Receiver<Batch<A>>,
-    out: &SyncSender<Result<Batch<A>, Failure>>,
+    out: &SyncSender<Result<Batch<A>, E>>,
 ) -> S {
     let mut first = 0;
     while let Ok(mut batch) = free.recv() {
@@ -86,17 +86,18 @@ fn read_all<S, A>(
     source
 }
 
-fn trace_all<A: Copy>(
+fn trace_all<A: Copy, E>(
     miss: A,
-    mut trace: impl FnMut(&[Ray], &mut [A]) -> Result<(), Failure>,
-    input: &Receiver<Result<Batch<A>, Failure>>,
+    mut trace: impl FnMut(&[Ray], &mut [A]) -> Result<(), E>,
+    mut go_on: impl FnMut() -> Result<(), E>,
+    input: &Receiver<Result<Batch<A>, E>>,
     out: SyncSender<Batch<A>>,
-) -> Result<Traced, Failure> {
+) -> Result<Traced, E> {
     let mut traced = Traced::default();
     let mut started = None;
     loop {
         let message = input.recv_timeout(Duration::from_millis(100));
-        interrupt::check()?;
+        go_on()?;
         let mut batch = match message {
             Ok(batch) => batch?,
             Err(RecvTimeoutError::Timeout) => continue,
@@ -119,11 +120,11 @@ fn trace_all<A: Copy>(
     Ok(traced)
 }
 
-fn write_all<A>(
-    mut write: impl FnMut(u64, &[Ray], &[A]) -> Result<(), Failure>,
+fn write_all<A, E>(
+    mut write: impl FnMut(u64, &[Ray], &[A]) -> Result<(), E>,
     input: &Receiver<Batch<A>>,
     free: &SyncSender<Batch<A>>,
-) -> Result<(), Failure> {
+) -> Result<(), E> {
     while let Ok(batch) = input.recv() {
         write(batch.first, &batch.rays, &batch.answers)?;
         // The reader may be through already.
@@ -139,7 +140,9 @@ mod tests {
     use glam::Vec3;
 
     use super::*;
-    use crate::exit::Code;
+
+    /// The stage that failed.
+    type Failure = &'static str;
 
     fn ray(i: u64) -> Ray {
         Ray::new(Vec3::new(i as f32, 0.0, 0.0), Vec3::X)
@@ -149,7 +152,7 @@ mod tests {
     fn read(fail: Option<u64>, size: u64, total: u64) -> impl FnMut(&mut u64, &mut Vec<Ray>) -> Result<(), Failure> {
         move |next, rays| {
             if fail == Some(*next / size) {
-                return Err(Failure::new(Code::BadInput, "read"));
+                return Err("read");
             }
             rays.extend((*next..total.min(*next + size)).map(ray));
             *next += rays.len() as u64;
@@ -163,6 +166,11 @@ mod tests {
         Ok(())
     }
 
+    #[expect(clippy::unnecessary_wraps, reason = "as the pipeline wants it")]
+    const fn go_on() -> Result<(), Failure> {
+        Ok(())
+    }
+
     #[test]
     fn every_ray_comes_out_once_in_order_and_the_source_comes_back() {
         for total in [0, 1, 10, 1003] {
@@ -172,7 +180,7 @@ mod tests {
                 seen.extend_from_slice(answers);
                 Ok(())
             };
-            let (next, traced) = run(0, read(None, 10, total), 0.0, double, write).unwrap();
+            let (next, traced) = run(0, read(None, 10, total), 0.0, double, write, go_on).unwrap();
             assert_eq!((next, traced.rays), (total, total));
             assert_eq!(seen, (0..total).map(|i| 2.0 * i as f32).collect::<Vec<_>>());
         }
@@ -181,18 +189,39 @@ mod tests {
     #[test]
     fn the_first_failure_of_any_stage_ends_the_run() {
         let write = |_: u64, _: &[Ray], _: &[f32]| Ok(());
-        let failure = run(0, read(Some(3), 10, 100), 0.0, double, write).unwrap_err();
-        assert_eq!((failure.code, failure.to_string().as_str()), (Code::BadInput, "read"));
+        let failure = run(0, read(Some(3), 10, 100), 0.0, double, write, go_on).unwrap_err();
+        assert_eq!(failure, "read");
 
-        let trace = |_: &[Ray], _: &mut [f32]| Err(Failure::new(Code::Running, "trace"));
-        let failure = run(0, read(None, 10, 1000), 0.0, trace, write).unwrap_err();
-        assert_eq!(failure.to_string(), "trace");
+        let trace = |_: &[Ray], _: &mut [f32]| Err("trace");
+        let failure = run(0, read(None, 10, 1000), 0.0, trace, write, go_on).unwrap_err();
+        assert_eq!(failure, "trace");
 
         let write = |first: u64, _: &[Ray], _: &[f32]| match first {
-            50 => Err(Failure::new(Code::Running, "write")),
+            50 => Err("write"),
             _ => Ok(()),
         };
-        let failure = run(0, read(None, 10, 1000), 0.0, double, write).unwrap_err();
-        assert_eq!(failure.to_string(), "write");
+        let failure = run(0, read(None, 10, 1000), 0.0, double, write, go_on).unwrap_err();
+        assert_eq!(failure, "write");
+    }
+
+    #[test]
+    fn a_run_that_is_cancelled_ends_between_batches_and_does_not_wait_for_a_silent_source() {
+        let write = |_: u64, _: &[Ray], _: &[f32]| Ok(());
+        let mut batches = 0;
+        let stop = || {
+            batches += 1;
+            if batches > 3 { Err("cancelled") } else { Ok(()) }
+        };
+        let mut traced = 0;
+        let trace = |rays: &[Ray], answers: &mut [f32]| {
+            traced += rays.len();
+            double(rays, answers)
+        };
+        assert_eq!(run(0, read(None, 10, 1000), 0.0, trace, write, stop).unwrap_err(), "cancelled");
+        assert_eq!(traced, 30);
+
+        let (_silent, wait) = mpsc::channel::<()>();
+        let silent = move |_: &mut u64, _: &mut Vec<Ray>| wait.recv().map_err(|_| "hung up");
+        assert_eq!(run(0, silent, 0.0, double, write, || Err("cancelled")).unwrap_err(), "cancelled");
     }
 }
