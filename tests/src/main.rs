@@ -6,6 +6,7 @@ mod conformance;
 mod device;
 mod exact;
 mod house;
+mod regression;
 mod sample;
 mod scenes;
 mod shaders;
