@@ -3,9 +3,9 @@
 use egui::text::LayoutJob;
 use egui::{Color32, FontId, Grid, RichText, TextFormat, Ui};
 use rayproof::Precision;
-use rayproof_oracle::worked::{Conclusion, COLUMNS, EXACT, Row, System, Value, Worked};
+use rayproof_oracle::worked::{COLUMNS, Conclusion, EXACT, Row, System, Value, Worked};
 
-use super::inspector::{mono, strong};
+use super::{mono, strong};
 
 /// Digits that tell an f32, and an f64, from its neighbours; and those of the exact value.
 const DIGITS: [usize; 5] = [9, 9, 9, 17, 20];
