@@ -1,7 +1,6 @@
 //! Where the device, the CPU engine and the oracle meet. One binary; each module asks one question.
 #![expect(clippy::print_stdout, reason = "each comparison says how much it compared")]
 
-mod cli;
 mod conformance;
 mod device;
 mod exact;
