@@ -10,4 +10,5 @@ mod sample;
 mod scenes;
 mod shaders;
 mod truth;
+mod words;
 mod worked;
