@@ -1,13 +1,14 @@
 //! Where the device, the CPU engine and the oracle meet. One binary; each module asks one question.
 #![expect(clippy::print_stdout, reason = "each comparison says how much it compared")]
 
-mod cli;
 mod conformance;
 mod device;
 mod exact;
 mod house;
+mod regression;
 mod sample;
 mod scenes;
 mod shaders;
 mod truth;
+mod words;
 mod worked;

@@ -5,7 +5,7 @@ use rayproof::scene::{FlatHit, Geometry, Mesh, Primitive, Ray, Scene, Triangle};
 use rayproof_cpu::Engine;
 use rayproof_oracle::Oracle;
 use rayproof_oracle::families::{self, Family};
-use rayproof_oracle::worked::{Answer, COLUMNS, EXACT, Value, work};
+use rayproof_oracle::worked::{COLUMNS, Conclusion, EXACT, Value, work};
 use rayproof_tree::{Bvh, Scaling};
 
 const SEED: u64 = 20_261_125;
@@ -94,12 +94,14 @@ fn alone(primitive: &Primitive) -> Scene {
 }
 
 /// The answer as an engine gives it; `None` where the method has none.
-fn as_hit(answer: &Answer) -> Option<FlatHit> {
+fn as_hit(answer: &Conclusion) -> Option<FlatHit> {
     match *answer {
-        Answer::Absent => None,
-        Answer::Miss(_) => Some(FlatHit::MISS),
-        Answer::Hit { t: Value::F32(t), u: Value::F32(u), v: Value::F32(v) } => Some(FlatHit { t, u, v, primitive: 0 }),
-        Answer::Hit { .. } => panic!("an engine answers in f32, not {answer:?}"),
+        Conclusion::Absent => None,
+        Conclusion::Miss(_) => Some(FlatHit::MISS),
+        Conclusion::Hit { t: Value::F32(t), u: Value::F32(u), v: Value::F32(v) } => {
+            Some(FlatHit { t, u, v, primitive: 0 })
+        }
+        Conclusion::Hit { .. } => panic!("an engine answers in f32, not {answer:?}"),
     }
 }
 

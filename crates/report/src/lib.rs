@@ -1,4 +1,4 @@
-//! Speed against error: every method on every device, measured against exact arithmetic, and the pages made of it.
+//! Speed against error: every precision on every device, measured against exact arithmetic, and the pages made of it.
 //!
 //! [`measure()`] takes the figures, [`model::Report`] holds them, and is what `report.json` says.
 

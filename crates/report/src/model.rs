@@ -1,7 +1,7 @@
 //! What a report holds: every number that the page shows, and nothing that a second run would not find again but
 //! [`Timing`]s.
 //!
-//! This is `report.json`. [`SCHEMA`] changes when a name or a meaning does.
+//! This is `report.json`. [`SCHEMA`] changes when a name or a meaning does: there a precision is called a method still.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,8 +24,9 @@ pub struct Report {
     pub date: String,
     /// The processor's name and how many threads ran.
     pub processor: String,
-    /// The methods that were measured, in the order in which pages show them.
-    pub methods: Vec<Method>,
+    /// The precisions that were measured, in the order in which pages show them.
+    #[serde(rename = "methods")]
+    pub precisions: Vec<Formulas>,
     /// What ran them; rows below name a device by its place here.
     pub devices: Vec<Device>,
     /// How the two oracles agreed.
@@ -68,15 +69,15 @@ impl Report {
     }
 }
 
-/// A way to compute a hit.
+/// A precision, and by which formulas it computes a hit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Method {
+pub struct Formulas {
     /// One word, as `--precision` takes it: `textbook`, `classic`, `fast`, `pair`, `double`, `exact`.
     pub id: String,
     /// What it does to spheres, in a few words.
     pub sphere: String,
-    /// What it does to triangles; empty where that is another method's.
+    /// What it does to triangles; empty where those are another precision's.
     pub triangle: String,
 }
 
@@ -177,7 +178,7 @@ pub struct Rate {
     pub bound: f64,
 }
 
-/// A method's answers against the exact ones.
+/// A precision's answers against the exact ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Errors {
@@ -198,7 +199,7 @@ pub struct Errors {
     /// The errors of `v`, on triangles.
     pub v: Quantiles,
     /// The error of `t` over what rounding every input and the result may do: `|t - t*| / (|t*| kappa u + ulp(t*) / 2)`, with
-    /// `u = 2^-24`. A few: the method is as good as its numbers; much more: it is the method. Rays along the surface are left out.
+    /// `u = 2^-24`. A few: the precision is as good as its numbers; much more: it is the precision. Rays along the surface are left out.
     pub normalised: Quantiles,
     /// What is left of the primitive's equation at the answer's point: `| |p - c|^2 - r^2 | / r^2` of a sphere, the
     /// distance from the plane over the triangle's size.
@@ -221,11 +222,11 @@ pub struct Case {
     pub rays: String,
     /// The exact answer in words, such as `hit 0, t = 0x1.8p+3 (12)` or `miss`.
     pub exact: String,
-    /// The method's.
+    /// The precision's.
     pub answer: String,
     /// The error of `t` in ULP, where both hit the same primitive.
     pub ulp: Option<f64>,
-    /// Whether the method gives the same answer to these two files as it gave in the larger scene.
+    /// Whether the precision gives the same answer to these two files as it gave in the larger scene.
     pub replays: bool,
 }
 
@@ -255,12 +256,13 @@ pub struct Panel {
     pub points: Vec<Point>,
 }
 
-/// One method on one device.
+/// One precision on one device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Point {
-    /// The method's id.
-    pub method: String,
+    /// The precision's id.
+    #[serde(rename = "method")]
+    pub precision: String,
     /// The device's place in [`Report::devices`].
     pub device: usize,
     /// Its errors.
@@ -280,8 +282,9 @@ pub struct Point {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DistanceCurve {
-    /// The method's id.
-    pub method: String,
+    /// The precision's id.
+    #[serde(rename = "method")]
+    pub precision: String,
     /// The device's place.
     pub device: usize,
     /// By distance.
@@ -306,8 +309,9 @@ pub struct DistancePoint {
 pub struct MarginCurve {
     /// `sphere` (from the silhouette) or `triangle` (from an edge).
     pub primitive: String,
-    /// The method's id.
-    pub method: String,
+    /// The precision's id.
+    #[serde(rename = "method")]
+    pub precision: String,
     /// The device's place.
     pub device: usize,
     /// By margin.
@@ -344,16 +348,17 @@ pub struct Family {
     pub hits: u64,
     /// The stages of the cascade, on the CPU engine.
     pub decided: Decided,
-    /// Each method on each device.
+    /// Each precision on each device.
     pub rows: Vec<FamilyRow>,
 }
 
-/// A method on a family.
+/// A precision on a family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FamilyRow {
-    /// The method's id.
-    pub method: String,
+    /// The precision's id.
+    #[serde(rename = "method")]
+    pub precision: String,
     /// The device's place.
     pub device: usize,
     /// Its errors.
@@ -372,7 +377,7 @@ pub struct Leaks {
     pub triangles: u64,
     /// `vertices` or `edges`.
     pub target: String,
-    /// A method on a device, or a peer.
+    /// A precision on a device, or a peer.
     pub who: String,
     /// Rays from inside that hit nothing.
     pub leaked: Rate,
@@ -391,8 +396,9 @@ pub struct Invariant {
     pub change: String,
     /// `sphere` or `triangle`.
     pub primitive: String,
-    /// The method's id.
-    pub method: String,
+    /// The precision's id.
+    #[serde(rename = "method")]
+    pub precision: String,
     /// The device's place.
     pub device: usize,
     /// Rays whose hit or miss changed.
@@ -417,7 +423,7 @@ pub struct SceneRow {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneEntry {
-    /// A method on a device, or a peer with its version.
+    /// A precision on a device, or a peer with its version.
     pub who: String,
     /// Whether it is a peer.
     pub peer: bool,

@@ -66,7 +66,7 @@ pub(crate) struct Cli {
 
     /// Which panel is open: none, inspector, gallery, plot or help
     #[arg(long, value_parser = panel)]
-    pub(crate) panel: Option<Panel>,
+    pub(crate) panel: Option<Option<Panel>>,
 
     /// When all of this is shown, write a picture of the window (.png) and close it
     #[arg(long, value_name = "PNG", value_parser = png)]
@@ -117,13 +117,13 @@ impl Cli {
     }
 }
 
-fn panel(text: &str) -> Result<Panel, String> {
+fn panel(text: &str) -> Result<Option<Panel>, String> {
     let panels = [
-        ("none", Panel::None),
-        ("inspector", Panel::Inspector),
-        ("gallery", Panel::Gallery),
-        ("plot", Panel::Plot),
-        ("help", Panel::Help),
+        ("none", None),
+        ("inspector", Some(Panel::Inspector)),
+        ("gallery", Some(Panel::Gallery)),
+        ("plot", Some(Panel::Plot)),
+        ("help", Some(Panel::Help)),
     ];
     let found = panels.into_iter().find(|(name, _)| *name == text);
     found.map(|(_, panel)| panel).ok_or_else(|| "give none, inspector, gallery, plot or help".to_owned())

@@ -1,12 +1,12 @@
 //! What keys do.
 
 use egui::{Context, Key, Modifiers};
+use rayproof::scene::Camera;
 
-use crate::app::App;
-use crate::model::look::Mode;
+use crate::act::Act;
+use crate::model::look::{Look, Mode};
 use crate::model::navigate;
-use crate::panels;
-use crate::settings::Side;
+use crate::settings::Panel;
 
 /// The keys and the pointer, for people.
 pub(crate) const HELP: [(&str, &str); 17] = [
@@ -21,7 +21,7 @@ pub(crate) const HELP: [(&str, &str); 17] = [
     ("arrows", "orbit"),
     ("+ and -", "nearer, farther"),
     ("1 to 9", "what pixels show"),
-    ("X", "split the picture between two methods"),
+    ("X", "split the picture between two precisions"),
     ("F", "frame the scene"),
     ("C", "copy the camera as a [camera] table"),
     ("P", "save the picture as PNG"),
@@ -32,45 +32,40 @@ pub(crate) const HELP: [(&str, &str); 17] = [
 const DIGITS: [Key; 9] =
     [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];
 
-/// Does what was pressed.
-pub(crate) fn act(app: &mut App, context: &Context) {
-    for (key, side) in
-        [(Key::F1, Side::Help), (Key::F2, Side::Inspector), (Key::F3, Side::Gallery), (Key::F4, Side::Plot)]
-    {
+/// What was pressed, to be done.
+pub(crate) fn pressed(context: &Context, mut look: Look, camera: &Camera) -> Vec<Act> {
+    let mut acts = Vec::new();
+    let panels = [Panel::Help, Panel::Inspector, Panel::Gallery, Panel::Plot];
+    for (key, panel) in [Key::F1, Key::F2, Key::F3, Key::F4].into_iter().zip(panels) {
         if context.input(|i| i.key_pressed(key)) {
-            app.settings.side = Some(side).filter(|side| app.settings.side != Some(*side));
+            acts.push(Act::Toggle(panel));
         }
     }
     if context.input(|i| i.key_pressed(Key::F12)) {
-        panels::toolbar::save_window(app, context);
+        acts.push(Act::SaveWindow);
     }
     // What is typed into a control is not for the camera.
     if context.egui_wants_keyboard_input() || context.memory(|memory| memory.focused().is_some()) {
-        return;
+        return acts;
     }
     let pressed = |key| context.input(|i| i.key_pressed(key) && !i.modifiers.command && !i.modifiers.alt);
+    let before = look;
     for (key, mode) in DIGITS.into_iter().zip(Mode::ALL) {
         if pressed(key) {
-            app.settings.look.mode = mode;
+            look.mode = mode;
         }
     }
-    if pressed(Key::X) {
-        app.settings.look.split ^= true;
-    }
-    if pressed(Key::F) {
-        app.frame();
-    }
-    if pressed(Key::C) {
-        panels::view::copy_camera(app, context);
-    }
-    if pressed(Key::P) {
-        app.saving = true;
-    }
-    fly(app, context);
+    look.split ^= pressed(Key::X);
+    acts.extend((look != before).then_some(Act::Show(look)));
+    acts.extend(flown(context, camera).map(Act::See));
+    acts.extend(pressed(Key::F).then_some(Act::Frame));
+    acts.extend(pressed(Key::C).then(|| Act::copy_camera(camera)));
+    acts.extend(pressed(Key::P).then_some(Act::SavePicture));
+    acts
 }
 
-/// Moves the camera for as long as keys are down.
-fn fly(app: &mut App, context: &Context) {
+/// Where the camera is moved to while keys are down.
+fn flown(context: &Context, camera: &Camera) -> Option<Camera> {
     let (held, seconds) = context.input(|i| {
         let quiet = i.modifiers.matches_logically(Modifiers::NONE) || i.modifiers.shift_only();
         let held = |key| if quiet && i.key_down(key) { 1.0 } else { 0.0 };
@@ -86,17 +81,19 @@ fn fly(app: &mut App, context: &Context) {
         (axes.map(|axis: f64| axis * speed), f64::from(i.stable_dt.min(0.1)))
     });
     if held == [0.0; 6] {
-        return;
+        return None;
     }
+    let mut camera = *camera;
     let [right, up, forward, around, over, near] = held.map(|axis| axis * seconds);
     if [right, up, forward] != [0.0; 3] {
-        app.camera = navigate::fly(&app.camera, [right * 0.6, up * 0.6, forward * 0.6]);
+        camera = navigate::fly(&camera, [right * 0.6, up * 0.6, forward * 0.6]);
     }
     if [around, over] != [0.0; 2] {
-        app.camera = navigate::orbit(&app.camera, around, over);
+        camera = navigate::orbit(&camera, around, over);
     }
     if near != 0.0 {
-        app.camera = navigate::dolly(&app.camera, (-near).exp());
+        camera = navigate::dolly(&camera, (-near).exp());
     }
     context.request_repaint();
+    Some(camera)
 }

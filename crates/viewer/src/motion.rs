@@ -2,11 +2,11 @@
 
 use std::time::Instant;
 
-use egui::{Context, ViewportCommand};
 use serde::Serialize;
 
-use crate::app::App;
+use crate::act::Act;
 use crate::model::navigate;
+use crate::script::Seen;
 
 /// The camera in motion: each move waits for the whole picture.
 pub(crate) struct Motion {
@@ -17,12 +17,14 @@ pub(crate) struct Motion {
     /// Seconds from frame to frame.
     frames: Vec<f64>,
     last: Instant,
+    /// Of the last whole picture.
+    rays_per_second: f64,
 }
 
 impl Motion {
     pub(crate) fn new() -> Self {
         let now = Instant::now();
-        Self { start: now, view: 0, moves: vec![], frames: vec![], last: now }
+        Self { start: now, view: 0, moves: vec![], frames: vec![], last: now, rays_per_second: 0.0 }
     }
 }
 
@@ -47,56 +49,48 @@ struct Responsiveness {
     rays_per_second: f64,
 }
 
-/// Moves the camera whenever the picture is whole, and notes the times; at the end prints them.
-pub(crate) fn orbit(app: &mut App, context: &Context) {
-    let (picture, progress) = {
-        let picture = app.tracer.picture();
-        (picture.view, picture.progress.clone())
-    };
-    let whole = app.is_whole();
-    let Some(motion) = &mut app.script.motion else { return };
-    let now = Instant::now();
-    motion.frames.push(now.duration_since(motion.last).as_secs_f64());
-    motion.last = now;
-    if whole && picture != motion.view {
+impl Motion {
+    /// Notes the times of a picture that is whole, and moves the camera on.
+    pub(crate) fn orbit(&mut self, seen: &Seen<'_>) -> Option<Act> {
+        let now = Instant::now();
+        self.frames.push(now.duration_since(self.last).as_secs_f64());
+        self.last = now;
+        let (picture, progress) = seen.whole.as_ref().filter(|(picture, _)| *picture != self.view)?;
         // The picture that was there at first was no move: it may have waited for its tree.
-        if let (Some(first), Some(whole), true) = (progress.first, progress.whole, motion.view > 0) {
-            motion.moves.push(Move { first, whole });
+        if let (Some(first), Some(whole), true) = (progress.first, progress.whole, self.view > 0) {
+            self.moves.push(Move { first, whole });
         }
-        motion.view = picture;
-        app.camera = navigate::orbit(&app.camera, 0.02, 0.0);
+        self.view = *picture;
+        self.rays_per_second = progress.rate;
+        Some(Act::See(navigate::orbit(&seen.standpoint.camera, 0.02, 0.0)))
     }
-    if motion.start.elapsed().as_secs_f64() >= app.script.measure.unwrap_or(0.0) {
-        print(app, progress.rate);
-        app.script.motion = None;
-        app.script.measure = None;
-        if app.script.screenshot.is_none() {
-            context.send_viewport_cmd(ViewportCommand::Close);
+
+    /// Seconds since it began.
+    pub(crate) fn seconds(&self) -> f64 {
+        self.start.elapsed().as_secs_f64()
+    }
+
+    #[expect(clippy::print_stdout, reason = "what was asked for")]
+    pub(crate) fn print(&self, seen: &Seen<'_>) {
+        let report = Responsiveness {
+            device: seen.device.info(rayproof::Precision::Exact).name,
+            scene: seen.standpoint.world.name.clone(),
+            size: seen.size,
+            moves: self.moves.len(),
+            first_picture_ms: spread(self.moves.iter().map(|m| m.first)),
+            whole_picture_ms: spread(self.moves.iter().map(|m| m.whole)),
+            frame_ms: spread(self.frames.iter().copied()),
+            rays_per_second: self.rays_per_second,
+        };
+        if let Ok(text) = serde_json::to_string_pretty(&report) {
+            println!("{text}");
         }
     }
-    context.request_repaint();
 }
 
-#[expect(clippy::print_stdout, reason = "what was asked for")]
-fn print(app: &App, rays_per_second: f64) {
-    let Some(motion) = &app.script.motion else { return };
-    let spread = |times: Vec<f64>| {
-        let mut times: Vec<f64> = times.into_iter().map(|t| (t * 1e5).round() / 1e2).collect();
-        times.sort_unstable_by(f64::total_cmp);
-        let at = |share: usize| times.get(times.len().saturating_sub(1) * share / 100).copied().unwrap_or(0.0);
-        [at(50), at(95), at(100)]
-    };
-    let report = Responsiveness {
-        device: app.device.info(rayproof::Precision::Exact).name,
-        scene: app.world.name.clone(),
-        size: app.canvas.size,
-        moves: motion.moves.len(),
-        first_picture_ms: spread(motion.moves.iter().map(|m| m.first).collect()),
-        whole_picture_ms: spread(motion.moves.iter().map(|m| m.whole).collect()),
-        frame_ms: spread(motion.frames.clone()),
-        rays_per_second,
-    };
-    if let Ok(text) = serde_json::to_string_pretty(&report) {
-        println!("{text}");
-    }
+/// The median, the 95th percentile and the worst of times in seconds, in milliseconds.
+fn spread(times: impl Iterator<Item = f64>) -> [f64; 3] {
+    let mut times: Vec<f64> = times.map(|t| (t * 1e5).round() / 1e2).collect();
+    times.sort_unstable_by(f64::total_cmp);
+    [50, 95, 100].map(|share| times.get(times.len().saturating_sub(1) * share / 100).copied().unwrap_or(0.0))
 }

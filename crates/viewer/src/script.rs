@@ -4,12 +4,14 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use egui::{ColorImage, Context, ViewportCommand};
+use rayproof::Device;
 
-use crate::app::App;
-use crate::model::navigate;
-use crate::motion::{self, Motion};
-use crate::panels;
-use crate::settings::Side;
+use crate::act::Act;
+use crate::model::view::Progress;
+use crate::motion::Motion;
+use crate::panels::inspector::Picked;
+use crate::save;
+use crate::standpoint::Standpoint;
 
 /// What is to be done, in this order, before the window closes; with nothing to do it stays.
 #[derive(Default)]
@@ -28,7 +30,7 @@ pub struct Script {
     pub failure: Arc<Mutex<Option<Failure>>>,
     /// The scene of a family that was asked for, until it hangs.
     hanging: Option<[usize; 2]>,
-    pub(crate) motion: Option<Motion>,
+    motion: Option<Motion>,
     shot: Option<Shot>,
 }
 
@@ -41,31 +43,20 @@ pub struct Failure {
     pub message: String,
 }
 
-/// A panel on the right.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Panel {
-    /// None is open.
-    None,
-    /// One ray, and its calculation.
-    Inspector,
-    /// The hard cases.
-    Gallery,
-    /// Speed against error.
-    Plot,
-    /// Keys.
-    Help,
-}
-
-impl Panel {
-    pub(crate) const fn side(self) -> Option<Side> {
-        match self {
-            Self::None => None,
-            Self::Inspector => Some(Side::Inspector),
-            Self::Gallery => Some(Side::Gallery),
-            Self::Plot => Some(Side::Plot),
-            Self::Help => Some(Side::Help),
-        }
-    }
+/// What the script sees of the window.
+pub(crate) struct Seen<'a> {
+    /// Whether all that was asked for is shown.
+    pub(crate) shown: bool,
+    /// The number of the newest picture, and how it came about, when it is whole.
+    pub(crate) whole: Option<(u64, Progress)>,
+    /// Why a scene cannot be shown.
+    pub(crate) fault: Option<&'a str>,
+    pub(crate) standpoint: &'a Standpoint,
+    /// Of the picture, in pixels.
+    pub(crate) size: [u32; 2],
+    /// How many scenes the family has that hangs.
+    pub(crate) scenes: usize,
+    pub(crate) device: &'a Device,
 }
 
 /// A picture of the window that was asked for: first nothing, then the pixels.
@@ -88,81 +79,99 @@ impl Script {
     }
 
     /// Does the next thing, when the last one is done.
-    pub(crate) fn step(app: &mut App, context: &Context) {
-        if !app.script.runs() {
-            return;
+    pub(crate) fn step(&mut self, context: &Context, seen: &Seen<'_>) -> Option<Act> {
+        if let Some(why) = seen.fault.filter(|_| self.is_unattended()) {
+            return self.refuse(context, 5, why.to_owned());
         }
-        if let Some(why) = app.fault.clone().filter(|_| app.script.is_unattended()) {
-            return refuse(app, context, 5, why);
+        if self.motion.is_some() {
+            return self.orbit(context, seen);
         }
-        if app.script.motion.is_some() {
-            return motion::orbit(app, context);
+        if self.shot.is_some() {
+            return self.shoot(context);
         }
-        if let Some(shot) = &app.script.shot {
-            let pixels = shot.lock().unwrap_or_else(PoisonError::into_inner).take();
-            if let Some(pixels) = pixels {
-                app.script.shot = None;
-                if let Some(path) = app.script.screenshot.take()
-                    && let Err(why) = save(&pixels, &path)
-                {
-                    return refuse(app, context, 1, format!("{}: {why}", path.display()));
-                }
+        let act = if seen.shown { self.next(context, seen) } else { None };
+        context.request_repaint_after(std::time::Duration::from_millis(20));
+        act
+    }
+
+    /// Ends without what was asked for; where somebody looks, it is told in the window.
+    fn refuse(&mut self, context: &Context, code: u8, message: String) -> Option<Act> {
+        if !self.is_unattended() && code != 1 {
+            return Some(Act::Fault(message));
+        }
+        *self.failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(Failure { code, message });
+        *self = Self { failure: self.failure.clone(), ..Self::default() };
+        context.send_viewport_cmd(ViewportCommand::Close);
+        None
+    }
+
+    fn next(&mut self, context: &Context, seen: &Seen<'_>) -> Option<Act> {
+        if let Some([family, scene]) = self.family.take() {
+            self.hanging = Some([family, scene]);
+            return Some(Act::Hang { family: family.saturating_sub(1), scene: scene.saturating_sub(1) });
+        }
+        if let Some([family, scene]) = self.hanging.take() {
+            let of = seen.scenes;
+            let missing = || format!("--family {family}/{scene}: the family has {of} scenes");
+            return if scene > of { self.refuse(context, 2, missing()) } else { None };
+        }
+        if let Some(decades) = self.distance.take() {
+            return Some(Act::WalkAway(decades));
+        }
+        if let Some([x, y]) = self.inspect.take() {
+            let [width, height] = seen.size;
+            if x >= width || y >= height {
+                let outside = format!("--inspect {x},{y}: the picture has {width} x {height} pixels");
+                return self.refuse(context, 2, outside);
+            }
+            return Some(Act::Inspect(Picked::through(&seen.standpoint.camera, seen.size, [x, y]), None));
+        }
+        if self.measure.is_some() {
+            self.motion = Some(Motion::new());
+        } else if self.screenshot.is_some() {
+            self.shot = Some(ask(context));
+        }
+        None
+    }
+
+    /// Moves the camera on; at the end prints how fast pictures came.
+    fn orbit(&mut self, context: &Context, seen: &Seen<'_>) -> Option<Act> {
+        context.request_repaint();
+        let motion = self.motion.as_mut()?;
+        let act = motion.orbit(seen);
+        if motion.seconds() >= self.measure.unwrap_or(0.0) {
+            motion.print(seen);
+            self.motion = None;
+            self.measure = None;
+            if self.screenshot.is_none() {
                 context.send_viewport_cmd(ViewportCommand::Close);
             }
-            return context.request_repaint();
         }
-        if app.is_shown() {
-            next(app, context);
+        act
+    }
+
+    /// Writes the picture of the window when it is there, and closes the window.
+    fn shoot(&mut self, context: &Context) -> Option<Act> {
+        context.request_repaint();
+        let pixels = self.shot.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner).take()?;
+        self.shot = None;
+        let path = self.screenshot.take()?;
+        let (size, rgb) = save::rgb(&pixels);
+        if let Err(why) = save::write_png(&path, size, &rgb) {
+            return self.refuse(context, 1, format!("{}: {why}", path.display()));
         }
-        context.request_repaint_after(std::time::Duration::from_millis(20));
+        context.send_viewport_cmd(ViewportCommand::Close);
+        None
     }
 }
 
-/// Ends without what was asked for; where somebody looks, it is told in the window.
-fn refuse(app: &mut App, context: &Context, code: u8, message: String) {
-    if !app.script.is_unattended() && code != 1 {
-        app.fault = Some(message);
-        return;
-    }
-    *app.script.failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(Failure { code, message });
-    app.script = Script { failure: app.script.failure.clone(), ..Script::default() };
-    context.send_viewport_cmd(ViewportCommand::Close);
-}
-
-fn next(app: &mut App, context: &Context) {
-    if let Some([family, scene]) = app.script.family.take() {
-        app.script.hanging = Some([family, scene]);
-        app.gallery.open(context, &app.device, family.saturating_sub(1), scene.saturating_sub(1));
-    } else if let Some([family, scene]) = app.script.hanging.take() {
-        let of = app.gallery.hung.as_ref().map_or(0, |hung| hung.of);
-        if scene > of {
-            refuse(app, context, 2, format!("--family {family}/{scene}: the family has {of} scenes"));
-        }
-    } else if let Some(decades) = app.script.distance.take() {
-        app.gallery.decades = decades;
-        app.camera = navigate::walk_away(&app.camera, &app.world.scene, decades);
-    } else if let Some([x, y]) = app.script.inspect.take() {
-        let [width, height] = app.canvas.size;
-        if x < width && y < height {
-            panels::pick(app, context, [width, height], [x, y]);
-        } else {
-            refuse(app, context, 2, format!("--inspect {x},{y}: the picture has {width} x {height} pixels"));
-        }
-    } else if app.script.measure.is_some() {
-        app.script.motion = Some(Motion::new());
-    } else if app.script.screenshot.is_some() {
-        let shot = Shot::default();
-        app.script.shot = Some(shot.clone());
-        let waker = context.clone();
-        context.request_screenshot(move |image| {
-            *shot.lock().unwrap_or_else(PoisonError::into_inner) = Some(image);
-            waker.request_repaint();
-        });
-    }
-}
-
-/// Writes the window's picture.
-fn save(image: &ColorImage, path: &std::path::Path) -> Result<(), String> {
-    let (size, rgb) = panels::toolbar::rgb(image);
-    panels::toolbar::write_png(path, size, &rgb)
+/// Asks for a picture of the window.
+fn ask(context: &Context) -> Shot {
+    let shot = Shot::default();
+    let (given, waker) = (shot.clone(), context.clone());
+    context.request_screenshot(move |image| {
+        *given.lock().unwrap_or_else(PoisonError::into_inner) = Some(image);
+        waker.request_repaint();
+    });
+    shot
 }

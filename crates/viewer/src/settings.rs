@@ -13,23 +13,28 @@ pub(crate) struct Settings {
     pub(crate) scene: Option<PathBuf>,
     pub(crate) look: Look,
     /// The panel on the right, where one is open.
-    pub(crate) side: Option<Side>,
+    #[serde(alias = "side")]
+    pub(crate) panel: Option<Panel>,
     /// Where the split is, from 0 at the left to 1.
     pub(crate) split_at: f32,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { scene: None, look: Look::default(), side: Some(Side::Inspector), split_at: 0.5 }
+        Self { scene: None, look: Look::default(), panel: Some(Panel::Inspector), split_at: 0.5 }
     }
 }
 
 /// A panel on the right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) enum Side {
+pub enum Panel {
+    /// One ray, and its calculation.
     Inspector,
+    /// The hard cases.
     Gallery,
+    /// Speed against error.
     Plot,
+    /// Keys.
     Help,
 }
 

@@ -1,22 +1,28 @@
 //! What the window shows, and whether it shows all that was asked for.
 
 use crate::app::App;
-use crate::model::view::{Picture, State};
-use crate::settings::Side;
+use crate::model::view::{Picture, Progress, State};
+use crate::panels::canvas::split_column;
+use crate::settings::Panel;
 
 impl App {
     /// Whether the newest picture is traced, though the oracle may not have judged all of it.
     pub(crate) fn is_whole(&self) -> bool {
         let picture = self.tracer.picture();
-        let newest = self.asked.as_ref().is_some_and(|(_, number)| *number == picture.view);
-        newest && picture.progress.whole.is_some()
+        self.is_newest_whole(picture.view, &picture.progress)
+    }
+
+    /// Whether the picture of this number, that far, is the newest one and whole.
+    pub(crate) fn is_newest_whole(&self, number: u64, progress: &Progress) -> bool {
+        let newest = self.asked.as_ref().is_some_and(|(_, newest)| *newest == number);
+        newest && progress.whole.is_some()
     }
 
     /// Whether all that was asked for is shown, though the oracle may not have judged all of it.
     #[must_use]
     pub fn is_shown(&self) -> bool {
-        let idle = self.opening.is_none() && self.measuring.is_none() && !self.gallery.is_opening();
-        let measured = self.settings.side != Some(Side::Plot) || self.measured.is_some();
+        let idle = !(self.opener.is_busy() || self.plot.is_measuring() || self.gallery.is_busy());
+        let measured = self.settings.panel != Some(Panel::Plot) || self.plot.measured.is_some();
         let picture = || self.tracer.picture();
         let failed = matches!(picture().progress.state, State::Failed(_));
         idle && measured && !self.inspector.is_busy() && (failed || self.is_whole()) && self.canvas.shows(&picture())
@@ -44,7 +50,7 @@ impl App {
             return left.clone();
         }
         let width = picture.size[0] as usize;
-        let at = crate::canvas::split_column(self.settings.split_at, picture.size[0]) as usize;
+        let at = split_column(self.settings.split_at, picture.size[0]) as usize;
         left.chunks_exact(width)
             .zip(right.chunks_exact(width))
             .flat_map(|(l, r)| [&l[..at], &r[at..]].concat())

@@ -12,7 +12,7 @@ use crate::{App, Failure, Start};
 
 /// What paints the window.
 #[derive(Clone)]
-enum Painter {
+enum Backend {
     /// The device that traces.
     Shared(Box<Handles>),
     /// Another Vulkan device: that which traces may have no screen.
@@ -31,13 +31,13 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<Option<Failure>, String
     }
     let painters = match (cli.painter, device.handles()) {
         (args::Painter::Auto, Some(handles)) if !device.is_software() => {
-            vec![Painter::Shared(Box::new(handles)), Painter::Wgpu, Painter::Glow]
+            vec![Backend::Shared(Box::new(handles)), Backend::Wgpu, Backend::Glow]
         }
         // Without a GPU both are Mesa's processor drivers, and that of OpenGL paints five times as fast.
-        (args::Painter::Auto, _) => vec![Painter::Glow, Painter::Wgpu],
-        (args::Painter::Vulkan, Some(handles)) => vec![Painter::Shared(Box::new(handles))],
-        (args::Painter::Vulkan, None) => vec![Painter::Wgpu],
-        (args::Painter::Opengl, _) => vec![Painter::Glow],
+        (args::Painter::Auto, _) => vec![Backend::Glow, Backend::Wgpu],
+        (args::Painter::Vulkan, Some(handles)) => vec![Backend::Shared(Box::new(handles))],
+        (args::Painter::Vulkan, None) => vec![Backend::Wgpu],
+        (args::Painter::Opengl, _) => vec![Backend::Glow],
     };
     // A run without a user neither depends on what the last one left nor changes it.
     let kept =
@@ -45,9 +45,9 @@ pub(crate) fn open(cli: &Cli, device: &Device) -> Result<Option<Failure>, String
     let mut tried = Vec::new();
     for painter in painters {
         let name = match painter {
-            Painter::Shared(_) => "the device that traces",
-            Painter::Wgpu => "Vulkan",
-            Painter::Glow => "OpenGL",
+            Backend::Shared(_) => "the device that traces",
+            Backend::Wgpu => "Vulkan",
+            Backend::Glow => "OpenGL",
         };
         let start = Start {
             device: device.clone(),
@@ -84,7 +84,7 @@ fn unreachable() -> String {
 }
 
 /// The window's options; what is kept from run to run goes to a place of its own where one is given.
-fn options(cli: &Cli, painter: Painter, kept: Option<PathBuf>) -> NativeOptions {
+fn options(cli: &Cli, painter: Backend, kept: Option<PathBuf>) -> NativeOptions {
     let [width, height] = cli.window.unwrap_or([1280, 800]).map(|side| side as f32);
     let viewport = ViewportBuilder::default()
         .with_title("Rayproof")
@@ -93,12 +93,12 @@ fn options(cli: &Cli, painter: Painter, kept: Option<PathBuf>) -> NativeOptions 
         .with_drag_and_drop(true);
     let mut options = NativeOptions {
         viewport,
-        renderer: if matches!(painter, Painter::Glow) { Renderer::Glow } else { Renderer::Wgpu },
+        renderer: if matches!(painter, Backend::Glow) { Renderer::Glow } else { Renderer::Wgpu },
         persist_window: kept.is_none() && cli.window.is_none(),
         persistence_path: kept,
         ..NativeOptions::default()
     };
-    if let Painter::Shared(handles) = painter {
+    if let Backend::Shared(handles) = painter {
         let Handles { instance, adapter, device, queue } = *handles;
         options.wgpu_options.wgpu_setup = WgpuSetup::Existing(WgpuSetupExisting { instance, adapter, device, queue });
     }

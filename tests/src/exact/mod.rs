@@ -1,7 +1,6 @@
 //! What the precision `exact` promises, at its word.
 
 mod families;
-mod field;
 mod leaks;
 mod spheres;
 mod widths;
@@ -15,24 +14,24 @@ use rayproof_tree::{Bvh, Scaling};
 use crate::device::gpu;
 
 /// How many rays: `few` in a run of all tests, and `all` where `RAYPROOF_THOROUGH` is set, which takes minutes.
-pub(super) fn rays(few: usize, all: usize) -> usize {
+pub(crate) fn rays(few: usize, all: usize) -> usize {
     if std::env::var_os("RAYPROOF_THOROUGH").is_some() { all } else { few }
 }
 
 /// A scene in both engines.
-pub(super) struct Engines {
-    pub(super) cpu: Cpu,
+pub(crate) struct Engines {
+    pub(crate) cpu: Cpu,
     /// None where the scene is not one for which the precision runs on a device.
     device: Option<Device>,
 }
 
 /// Every answer to a ray.
-pub(super) struct Answers {
-    pub(super) hits: Vec<FlatHit>,
-    pub(super) any: Vec<u8>,
-    pub(super) counts: Vec<u32>,
+pub(crate) struct Answers {
+    pub(crate) hits: Vec<FlatHit>,
+    pub(crate) any: Vec<u8>,
+    pub(crate) counts: Vec<u32>,
     /// On the way to the closest hits.
-    pub(super) undecided: Undecided,
+    pub(crate) undecided: Undecided,
 }
 
 impl Answers {
@@ -44,13 +43,13 @@ impl Answers {
 }
 
 impl Engines {
-    pub(super) fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene) -> Self {
         let bvh = Bvh::new(scene, Scaling::of(Precision::Exact)).expect("small");
         let device = bvh.plain.then(|| Device::new(gpu(), &bvh, Precision::Exact).expect("the scene fits the device"));
         Self { cpu: Cpu::new(bvh, Precision::Exact), device }
     }
 
-    pub(super) fn on_cpu(&self, rays: &[Ray]) -> Answers {
+    pub(crate) fn on_cpu(&self, rays: &[Ray]) -> Answers {
         let mut answers = Answers::none(rays);
         answers.undecided = self.cpu.closest(rays, &mut answers.hits);
         self.cpu.any(rays, &mut answers.any);
@@ -59,7 +58,7 @@ impl Engines {
     }
 
     /// The device's answers, and the CPU's for the rays that it left open.
-    pub(super) fn on_device(&self, rays: &[Ray]) -> Option<Answers> {
+    pub(crate) fn on_device(&self, rays: &[Ray]) -> Option<Answers> {
         let device = self.device.as_ref()?;
         let mut answers = Answers::none(rays);
         let open = device.closest(rays, &mut answers.hits).expect("the device answers");

@@ -2,7 +2,7 @@ use std::fmt;
 
 use rayproof_scene::FlatHit;
 
-use super::case::{bits, show_hit};
+use super::judged_ray::{bits, show_hit};
 
 /// How many `f32` numbers lie from one to the other, in the order of the reals; both zeros are one number.
 ///

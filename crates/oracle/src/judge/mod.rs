@@ -16,7 +16,7 @@
 //! the precision `fast` under IEEE rounding. The precision `classic` promises nothing, and is judged by the same measure.
 
 mod bits;
-mod case;
+mod judged_ray;
 mod promise;
 mod sphere;
 mod triangle;
@@ -26,11 +26,11 @@ use std::cmp::Ordering;
 use dashu_ratio::RBig;
 use rayproof_scene::{FlatHit, Ray};
 
-use self::case::residual;
+use self::judged_ray::residual;
 use self::promise::{Promise, ROUNDOFF};
 pub use self::{
     bits::{BitComparison, compare_bits, ulp_distance},
-    case::{Answer, Case, Fault},
+    judged_ray::{Answer, Fault, JudgedRay},
 };
 use crate::{ExactHit, Oracle};
 
@@ -43,9 +43,9 @@ pub enum Verdict {
     /// A miss that is one, or the exact hit with its numbers within their bounds.
     Exact(Errors),
     /// Another answer, which single precision may give.
-    WithinPromise(Box<Case>),
+    WithinPromise(Box<JudgedRay>),
     /// A wrong answer.
-    Disagrees(Fault, Box<Case>),
+    Disagrees(Fault, Box<JudgedRay>),
 }
 
 /// How far the numbers of a hit are off.
@@ -95,7 +95,7 @@ pub fn judge_closest(oracle: &Oracle, ray: &Ray, answer: &FlatHit) -> Verdict {
     let case = || {
         let residual = residual(oracle.scene(), ray, answer);
         let [exact, answer] = [exact, *answer].map(|hit| Answer::closest(oracle.scene(), hit));
-        Box::new(Case { ray: *ray, exact, answer, residual })
+        Box::new(JudgedRay { ray: *ray, exact, answer, residual })
     };
     match compare_closest(oracle, ray, answer, &hits) {
         Err(fault) => Verdict::Disagrees(fault, case()),
@@ -137,7 +137,8 @@ fn compare_closest(oracle: &Oracle, ray: &Ray, answer: &FlatHit, hits: &[ExactHi
 pub fn judge_any(oracle: &Oracle, ray: &Ray, answer: u8) -> Verdict {
     let hits = oracle.all(ray);
     let exact = u8::from(!hits.is_empty());
-    let case = || Box::new(Case { ray: *ray, exact: Answer::Any(exact), answer: Answer::Any(answer), residual: None });
+    let case =
+        || Box::new(JudgedRay { ray: *ray, exact: Answer::Any(exact), answer: Answer::Any(answer), residual: None });
     if answer > 1 {
         return Verdict::Disagrees(Fault::NotAFlag, case());
     }
@@ -160,7 +161,8 @@ pub fn judge_count(oracle: &Oracle, ray: &Ray, answer: u32) -> Verdict {
     if answer == exact {
         return Verdict::Exact(Errors::default());
     }
-    let case = Box::new(Case { ray: *ray, exact: Answer::Count(exact), answer: Answer::Count(answer), residual: None });
+    let case =
+        Box::new(JudgedRay { ray: *ray, exact: Answer::Count(exact), answer: Answer::Count(answer), residual: None });
     let clear =
         oracle.all(ray).iter().filter(|hit| !Promise::of(oracle, ray, hit.primitive).may_miss(ray, hit)).count();
     if (clear..=possible_hits(oracle, ray)).contains(&(answer as usize)) {

@@ -1,6 +1,7 @@
 use rayproof_scene::{FlatHit, Primitive, Ray};
 
-use super::{sphere, triangle};
+use super::sphere::SpherePromise;
+use super::triangle::TrianglePromise;
 use crate::{ExactHit, Oracle, Root};
 
 /// The unit roundoff of `f32`, 2^-24.
@@ -15,17 +16,24 @@ pub(super) fn ends(ray: &Ray) -> impl Iterator<Item = f32> + use<> {
     [ray.t_min, ray.t_max].into_iter().filter(|t| t.is_finite())
 }
 
+/// A value, and how far off single precision may be.
+#[derive(Clone, Copy)]
+pub(super) struct Bounded {
+    pub(super) value: f64,
+    pub(super) error: f64,
+}
+
 /// What single precision promises for one ray and primitive.
 pub(super) enum Promise {
-    Triangle(triangle::Promise),
-    Sphere(sphere::Promise),
+    Triangle(TrianglePromise),
+    Sphere(SpherePromise),
 }
 
 impl Promise {
     pub(super) fn new(ray: &Ray, primitive: &Primitive) -> Self {
         match primitive {
-            Primitive::Triangle(triangle) => Self::Triangle(triangle::Promise::new(ray, triangle)),
-            Primitive::Sphere(sphere) => Self::Sphere(sphere::Promise::new(ray, sphere)),
+            Primitive::Triangle(triangle) => Self::Triangle(TrianglePromise::new(ray, triangle)),
+            Primitive::Sphere(sphere) => Self::Sphere(SpherePromise::new(ray, sphere)),
         }
     }
 

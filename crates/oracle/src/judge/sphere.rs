@@ -27,25 +27,18 @@
 
 use rayproof_scene::{FlatHit, Ray, Sphere};
 
-use super::promise::{HUGE, ROUNDOFF, TINY, ends};
+use super::promise::{Bounded, HUGE, ROUNDOFF, TINY, ends};
 
 /// Roundings of the silhouette counted above.
 const K: f64 = 12.0;
 
-/// A root in length, and how far off single precision may be.
-#[derive(Clone, Copy)]
-struct Bounded {
-    x: f64,
-    error: f64,
-}
-
 /// The exact values for one ray and sphere, and how far off single precision may be.
-pub(super) struct Promise {
+pub(super) struct SpherePromise {
     /// How far outside the sphere the line passes; negative where it enters.
     outside: f64,
     /// How far the silhouette may be off, `B1`.
     silhouette: f64,
-    /// The roots `q / a` and `c' / q`; the middle of the line's part within the silhouette where it misses.
+    /// The roots `q / a` and `c' / q`, in length; the middle of the line's part within the silhouette where it misses.
     roots: [Bounded; 2],
     /// The length of the direction.
     d: f64,
@@ -53,7 +46,7 @@ pub(super) struct Promise {
     beyond: bool,
 }
 
-impl Promise {
+impl SpherePromise {
     pub(super) fn new(ray: &Ray, sphere: &Sphere) -> Self {
         const U: f64 = ROUNDOFF;
         let (offset, direction) = (ray.origin.as_dvec3() - sphere.center.as_dvec3(), ray.direction.as_dvec3());
@@ -80,7 +73,7 @@ impl Promise {
         Self {
             outside: l - r,
             silhouette,
-            roots: [Bounded { x: large, error: dh + silhouette }, Bounded { x: small, error: small_error }],
+            roots: [Bounded { value: large, error: dh + silhouette }, Bounded { value: small, error: small_error }],
             d,
             beyond: o.max(r) * o.max(r) > HUGE,
         }
@@ -88,11 +81,11 @@ impl Promise {
 
     /// The error of the parameter `t` as one of the roots, over its bound.
     fn off(&self, root: Bounded, t: f32) -> f64 {
-        let overflow = root.x.abs() + root.error >= HUGE * self.d;
+        let overflow = root.value.abs() + root.error >= HUGE * self.d;
         match (t.is_infinite(), overflow) {
             (true, true) => 0.0,
             (true, false) => f64::INFINITY,
-            (false, _) => (f64::from(t) * self.d - root.x).abs() / (root.error + 2.0 * TINY * self.d),
+            (false, _) => (f64::from(t) * self.d - root.value).abs() / (root.error + 2.0 * TINY * self.d),
         }
     }
 
@@ -107,7 +100,7 @@ impl Promise {
 
     /// Whether single precision gives the exact root `t` and the parameter `x` in one order or the other.
     pub(super) fn confuses_t(&self, t: f64, x: f32) -> bool {
-        let distance = |root: &Bounded| (root.x - t * self.d).abs();
+        let distance = |root: &Bounded| (root.value - t * self.d).abs();
         let root = if distance(&self.roots[0]) < distance(&self.roots[1]) { self.roots[0] } else { self.roots[1] };
         self.beyond || (x.is_finite() && self.off(root, x) <= 1.0)
     }
@@ -122,7 +115,7 @@ impl Promise {
     pub(super) fn may_hit(&self, ray: &Ray) -> bool {
         let reaches = |root: &Bounded| {
             let [low, high] = [ray.t_min, ray.t_max].map(|t| f64::from(t) * self.d);
-            root.x + root.error >= low && root.x - root.error <= high
+            root.value + root.error >= low && root.value - root.error <= high
         };
         self.beyond || (self.outside <= self.silhouette && self.roots.iter().any(reaches))
     }

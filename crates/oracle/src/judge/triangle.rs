@@ -49,13 +49,13 @@
 use glam::DVec3;
 use rayproof_scene::{FlatHit, Ray, Triangle};
 
-use super::promise::{HUGE, ROUNDOFF, TINY, ends};
+use super::promise::{Bounded, HUGE, ROUNDOFF, TINY, ends};
 
 /// Roundings counted above, times `2/sqrt(3)`.
 const K: f64 = 10.0;
 
 /// The exact values for one ray and triangle, and how far off single precision may be.
-pub(super) struct Promise {
+pub(super) struct TrianglePromise {
     det: Bounded,
     u: Bounded,
     v: Bounded,
@@ -65,14 +65,7 @@ pub(super) struct Promise {
     beyond: bool,
 }
 
-/// A value and the bound of its error.
-#[derive(Clone, Copy)]
-struct Bounded {
-    value: f64,
-    error: f64,
-}
-
-impl Promise {
+impl TrianglePromise {
     pub(super) fn new(ray: &Ray, triangle: &Triangle) -> Self {
         let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|v| v.as_dvec3());
         let d = ray.direction.as_dvec3();

@@ -2,7 +2,8 @@
 //!
 //! Where the first divides rationals, this one adds up floating-point expansions; where the first shifts vertices and compares
 //! square roots, this one solves Cramer's system and asks for the sign of the quadratic itself. They share the scene's types
-//! and the contract of what a hit is, and nothing else.
+//! and the contract of what a hit is, and nothing else: this one's `Line`, `Root` and `Vector` are others than the first one's, by
+//! the names that both have from the field.
 
 mod expansion;
 mod place;
@@ -13,7 +14,7 @@ use std::cmp::Ordering;
 use rayon::prelude::*;
 use rayproof_scene::{FlatHit, Primitive, Ray, Scene};
 
-use self::place::{Known, Line, Place, PlaneHit, roots, weight};
+use self::place::{Known, Line, Parameter, PlaneHit, roots, weight};
 use crate::{ExactHit, Oracle};
 
 /// The exact answers to any ray in floating-point expansions.
@@ -46,7 +47,7 @@ pub struct Agreement {
 
 /// The closest hit so far.
 struct Closest {
-    t: Place,
+    t: Parameter,
     hit: FlatHit,
 }
 
@@ -97,14 +98,14 @@ impl<'s> SecondOracle<'s> {
 }
 
 /// Whether the ray's range holds a place, its ends included.
-fn holds(ray: &Ray, t: &Place) -> Known<bool> {
+fn holds(ray: &Ray, t: &Parameter) -> Known<bool> {
     let not_below = ray.t_min == f32::NEG_INFINITY || t.order(f64::from(ray.t_min))? != Ordering::Less;
     let not_above = ray.t_max == f32::INFINITY || t.order(f64::from(ray.t_max))? != Ordering::Greater;
     Some(not_below && not_above && ray.t_min < f32::INFINITY && ray.t_max > f32::NEG_INFINITY)
 }
 
 /// The closer of two; of equal ones the first, which has the lower number.
-fn nearer(before: Option<Closest>, t: Place, hit: FlatHit) -> Known<Option<Closest>> {
+fn nearer(before: Option<Closest>, t: Parameter, hit: FlatHit) -> Known<Option<Closest>> {
     let Some(before) = before else { return Some(Some(Closest { t, hit })) };
     // Estimates a millionth apart are in order: they are good to some fifty bits.
     let (old, new) = (before.t.estimate(), t.estimate());

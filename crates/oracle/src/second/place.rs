@@ -48,7 +48,7 @@ pub(super) struct Root {
 
 /// A parameter on a line.
 #[derive(Clone, Debug)]
-pub(super) enum Place {
+pub(super) enum Parameter {
     Plane(Quotient),
     Sphere(Root),
 }
@@ -123,7 +123,7 @@ impl Root {
     }
 }
 
-impl Place {
+impl Parameter {
     /// How it compares with a number.
     pub(super) fn order(&self, x: f64) -> Known<Ordering> {
         match self {
@@ -161,7 +161,7 @@ impl Place {
 /// A line in the plane of a triangle, by Cramer's rule: with `s = e - a`, `e1 = b - a`, `e2 = c - a` and `n = e1 x e2`,
 /// `det = n.d`, `det u = d.(s x e2)`, `det v = d.(e1 x s)` and `det t = -n.s`.
 pub(super) struct PlaneHit {
-    pub(super) t: Place,
+    pub(super) t: Parameter,
     pub(super) u: Quotient,
     pub(super) v: Quotient,
     /// Whether the closed triangle holds the point.
@@ -199,13 +199,13 @@ impl PlaneHit {
         ];
         let crosses = signs.iter().all(|&sign| sign == side);
         let quotient = |x: Expansion| Quotient { numerator: oriented(x), denominator: oriented(det.clone()) };
-        let t = Place::Plane(quotient(-&dot(&n, &s)));
+        let t = Parameter::Plane(quotient(-&dot(&n, &s)));
         Some(Some(Self { t, u: quotient(u_raw), v: quotient(v_raw), inside, crosses }))
     }
 }
 
 /// The roots of `|e + t d - c|^2 = r^2`, multiplied out; one twice where they are one, none where there are none.
-pub(super) fn roots(line: &Line, sphere: &Sphere) -> Known<Vec<Place>> {
+pub(super) fn roots(line: &Line, sphere: &Sphere) -> Known<Vec<Parameter>> {
     let o = minus(&line.e, &vector(sphere.center));
     let (a, b) = (dot(&line.d, &line.d), dot(&o, &line.d));
     let c = &dot(&o, &o) - &Expansion::from(sphere.radius).square();
@@ -213,7 +213,7 @@ pub(super) fn roots(line: &Line, sphere: &Sphere) -> Known<Vec<Place>> {
     if root(false).discriminant().sign()? == Ordering::Less {
         return Some(Vec::new());
     }
-    Some(vec![Place::Sphere(root(false)), Place::Sphere(root(true))])
+    Some(vec![Parameter::Sphere(root(false)), Parameter::Sphere(root(true))])
 }
 
 /// The weight's nearest `f32`.

@@ -68,7 +68,7 @@ fn places_compare_as_the_rationals_do() {
             continue;
         }
         let (line, exact_line) = (Line::new(&ray), crate::rational::Line::new(&ray));
-        let mut places: Vec<(Place, Root)> = Vec::new();
+        let mut places: Vec<(Parameter, Root)> = Vec::new();
         for sphere in &spheres {
             let exact = match Roots::new(&exact_line, sphere) {
                 Roots::None => vec![],

@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use glam::Vec3;
-//! use rayproof_oracle::worked::{Answer, work};
+//! use rayproof_oracle::worked::{Conclusion, work};
 //! use rayproof_scene::{Primitive, Ray, Sphere};
 //!
 //! // A sphere of radius 1, met halfway to its rim from 10,000 away.
@@ -22,7 +22,7 @@
 //! let discriminant = worked.rows.iter().find(|row| row.name == "D").expect("a row of every sphere");
 //! let shown = discriminant.values.each_ref().map(|value| value.decimal(5));
 //! assert_eq!(shown, ["0", "0", "3.0000e0", "3.0000e0", "3.0000e0"]);
-//! assert!(matches!(worked.answers[3], Answer::Hit { .. }));
+//! assert!(matches!(worked.answers[3], Conclusion::Hit { .. }));
 //! ```
 
 mod digits;
@@ -54,7 +54,7 @@ pub struct Worked {
     /// The quantities, in the order in which they are computed.
     pub rows: Vec<Row>,
     /// What each precision concludes, in the order of [`COLUMNS`].
-    pub answers: [Answer; 5],
+    pub answers: [Conclusion; 5],
 }
 
 /// Three equations in x, y and z: the coefficients of `u`, `v`, `t`, and the right-hand side.
@@ -74,7 +74,7 @@ pub struct Row {
 /// What a precision concludes.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "there are five of them")]
-pub enum Answer {
+pub enum Conclusion {
     /// Nothing: it has no formula for the primitive.
     Absent,
     /// A miss, and why, in words.
@@ -90,7 +90,7 @@ pub enum Answer {
     },
 }
 
-impl Answer {
+impl Conclusion {
     /// A hit as an engine writes it: zero without a sign.
     fn hit(numbers: [f32; 3]) -> Self {
         let [t, u, v] = numbers.map(|x| Value::F32(if x == 0.0 { 0.0 } else { x }));
@@ -120,12 +120,12 @@ pub fn work(ray: &Ray, primitive: &Primitive) -> Worked {
 /// What one precision makes of `N` quantities.
 struct Column<const N: usize> {
     values: [Value; N],
-    answer: Answer,
+    answer: Conclusion,
 }
 
 impl<const N: usize> Column<N> {
     /// That of a precision which does not apply.
-    fn absent(answer: Answer) -> Self {
+    fn absent(answer: Conclusion) -> Self {
         Self { values: std::array::from_fn(|_| Value::Absent), answer }
     }
 }
@@ -139,4 +139,4 @@ fn rows<const N: usize>(headings: &[Heading; N], columns: &[Column<N>; 5]) -> Ve
 }
 
 /// Why there is no exact answer.
-const INVALID: Answer = Answer::Miss("the ray or the primitive is not valid");
+const INVALID: Conclusion = Conclusion::Miss("the ray or the primitive is not valid");

@@ -6,7 +6,7 @@ use rayproof_scene::{Precision, Ray, Sphere};
 
 use super::float::{Float, dot3, sub};
 use super::range::{Place, first_within};
-use super::{Answer, COLUMNS, Column, Heading, INVALID, Value};
+use super::{COLUMNS, Column, Conclusion, Heading, INVALID, Value};
 use crate::rational::{self, Line, Number};
 use crate::root::Root;
 
@@ -44,8 +44,8 @@ pub(super) fn columns(ray: &Ray, sphere: &Sphere) -> [SphereColumn; 5] {
 const NAN: &str = "D is not a number";
 
 /// `q, t1, t2` and the answer where there are no roots.
-fn without_roots(why: &'static str) -> ([Value; 3], Answer) {
-    ([const { Value::Absent }; 3], Answer::Miss(why))
+fn without_roots(why: &'static str) -> ([Value; 3], Conclusion) {
+    ([const { Value::Absent }; 3], Conclusion::Miss(why))
 }
 
 /// Two parameters, the smaller one first.
@@ -54,8 +54,8 @@ fn ordered<T: PartialOrd>(t1: T, t2: T) -> [T; 2] {
 }
 
 /// The hit at the first of these parameters that is in range.
-fn answer(ray: &Ray, parameters: [f32; 2]) -> Answer {
-    first_within(parameters, |&t| Place::of(t, ray)).map_or_else(Answer::Miss, |t| Answer::hit([t, 0.0, 0.0]))
+fn answer(ray: &Ray, parameters: [f32; 2]) -> Conclusion {
+    first_within(parameters, |&t| Place::of(t, ray)).map_or_else(Conclusion::Miss, |t| Conclusion::hit([t, 0.0, 0.0]))
 }
 
 /// As `crates/cpu/src/textbook/sphere.rs` and `crates/cpu/src/classic/sphere.rs` compute it.
@@ -146,9 +146,9 @@ fn exact(ray: &Ray, sphere: &Sphere) -> SphereColumn {
             Root::new(half.canonicalize(), sign, radicand.canonicalize())
         };
         let (q, t1, t2) = (root(&Number::ONE, sign), root(&a, sign), root(&a, -sign));
-        let answer = first_within(ordered(&t1, &t2), |t| Place::of_exact(t, ray)).map_or_else(Answer::Miss, |t| {
+        let answer = first_within(ordered(&t1, &t2), |t| Place::of_exact(t, ray)).map_or_else(Conclusion::Miss, |t| {
             let zero = || Value::Exact(RBig::ZERO.into());
-            Answer::Hit { t: Value::Exact(t.clone()), u: zero(), v: zero() }
+            Conclusion::Hit { t: Value::Exact(t.clone()), u: zero(), v: zero() }
         });
         ([q, t1, t2].map(Value::Exact), answer)
     } else {

@@ -5,7 +5,7 @@ use rayproof_scene::{Precision, Ray, Triangle};
 
 use super::float::{Float, cross3, dot3, sub};
 use super::range::{Place, first_within};
-use super::{Answer, COLUMNS, Column, Heading, INVALID, System, Value};
+use super::{COLUMNS, Column, Conclusion, Heading, INVALID, System, Value};
 use crate::rational::{self, Line, Number, Vector};
 
 /// The quantities.
@@ -27,7 +27,7 @@ type TriangleColumn = Column<{ ROWS.len() }>;
 /// Every precision's system and its column.
 pub(super) fn columns(ray: &Ray, triangle: &Triangle) -> ([System; 5], [TriangleColumn; 5]) {
     let worked = COLUMNS.map(|precision| match precision {
-        Precision::Textbook => absent(Answer::Absent),
+        Precision::Textbook => absent(Conclusion::Absent),
         Precision::Classic => by_the_book(ray, triangle),
         Precision::Fast => shifted::<f32>(ray, triangle),
         Precision::Pair | Precision::Double => shifted::<f64>(ray, triangle),
@@ -36,7 +36,7 @@ pub(super) fn columns(ray: &Ray, triangle: &Triangle) -> ([System; 5], [Triangle
     (worked.each_ref().map(|(system, _)| system.clone()), worked.map(|(_, column)| column))
 }
 
-fn absent(answer: Answer) -> (System, TriangleColumn) {
+fn absent(answer: Conclusion) -> (System, TriangleColumn) {
     (std::array::from_fn(|_| [const { Value::Absent }; 4]), Column::absent(answer))
 }
 
@@ -50,7 +50,7 @@ where
 }
 
 /// The column of a determinant, the numerators of `u, v, t`, and the quotients where there are any.
-fn column<T>(determinants: [T; 4], quotients: Option<[T; 3]>, answer: Answer) -> TriangleColumn
+fn column<T>(determinants: [T; 4], quotients: Option<[T; 3]>, answer: Conclusion) -> TriangleColumn
 where
     Value: From<T>,
 {
@@ -60,8 +60,8 @@ where
 }
 
 /// The hit at these `u, v, t` where `t` is in range.
-fn answer(ray: &Ray, [u, v, t]: [f32; 3]) -> Answer {
-    first_within([t], |&t| Place::of(t, ray)).map_or_else(Answer::Miss, |t| Answer::hit([t, u, v]))
+fn answer(ray: &Ray, [u, v, t]: [f32; 3]) -> Conclusion {
+    first_within([t], |&t| Place::of(t, ray)).map_or_else(Conclusion::Miss, |t| Conclusion::hit([t, u, v]))
 }
 
 /// As `crates/cpu/src/classic/triangle.rs` computes it.
@@ -89,7 +89,7 @@ fn by_the_book(ray: &Ray, triangle: &Triangle) -> (System, TriangleColumn) {
     } else {
         (u.is_nan() || v.is_nan()).then_some(NAN)
     };
-    let answer = why.map_or_else(|| answer(ray, [u, v, t]), Answer::Miss);
+    let answer = why.map_or_else(|| answer(ray, [u, v, t]), Conclusion::Miss);
     let quotients = (determinant != 0.0).then_some([u, v, t]);
     let system = system([e1, e2, direction.map(|x| -x), s]);
     (system, column([determinant, det_u, det_v, det_t], quotients, answer))
@@ -118,7 +118,7 @@ where
     let answer = if u >= zero && v >= zero && u + v <= scale && scale > zero {
         answer(ray, quotients.map(N::narrow))
     } else {
-        Answer::Miss(rejected(&[u, v, u + v, scale], &zero))
+        Conclusion::Miss(rejected(&[u, v, u + v, scale], &zero))
     };
     let flip = |x: N| -x;
     let system = system([e1.map(flip), e2, d.map(flip), p.map(flip)]);
@@ -162,13 +162,13 @@ fn exact(ray: &Ray, triangle: &Triangle) -> (System, TriangleColumn) {
     let answer = match &quotients {
         Some([weight_u, weight_v, t]) if u >= Number::ZERO && v >= Number::ZERO && sum <= scale => {
             let t = t.clone().canonicalize().into();
-            first_within([t], |t| Place::of_exact(t, ray)).map_or_else(Answer::Miss, |t| Answer::Hit {
+            first_within([t], |t| Place::of_exact(t, ray)).map_or_else(Conclusion::Miss, |t| Conclusion::Hit {
                 t: Value::Exact(t),
                 u: weight_u.clone().into(),
                 v: weight_v.clone().into(),
             })
         }
-        _ => Answer::Miss(rejected(&[u, v, sum, scale], &Number::ZERO)),
+        _ => Conclusion::Miss(rejected(&[u, v, sum, scale], &Number::ZERO)),
     };
     let [det_u, det_v, det_t] = numerators;
     let column = column([determinant, det_u, det_v, det_t], quotients, answer);

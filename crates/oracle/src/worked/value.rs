@@ -4,10 +4,10 @@ use rayproof_scene::number;
 use super::digits::leading;
 use crate::{Root, rational::Number};
 
-/// What a method makes of a quantity.
+/// What a precision makes of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// Nothing: the method does not compute it.
+    /// Nothing: the precision does not compute it.
     Absent,
     /// A number in single precision.
     F32(f32),

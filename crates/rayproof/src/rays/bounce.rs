@@ -32,7 +32,8 @@ mod tests {
     fn bounces_leave_on_the_viewers_side_with_the_cosine() {
         let square = Mesh { vertices: vec![Vec3::ZERO, Vec3::X, Vec3::Y], triangles: vec![[0, 1, 2]] };
         let spheres = vec![Sphere { center: Vec3::new(5.0, 0.0, -1.0), radius: 1.0 }];
-        let scene = Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]).expect("made of finite numbers");
+        let scene =
+            Scene::new(vec![Geometry::Mesh(square), Geometry::Spheres(spheres)]).expect("made of finite numbers");
         for (x, geometry, side) in [(0.25, 0, 1.0), (0.25, 0, -1.0), (5.0, 1, 1.0)] {
             let ray = Ray::new(Vec3::new(x, 0.0, side * 4.0), Vec3::new(0.0, 0.0, -side));
             let hit = Hit { t: 4.0, u: 0.25, v: 0.0, geometry, primitive: 0 };

@@ -80,7 +80,8 @@ mod tests {
     fn a_ground_sphere_does_not_draw_all_rays_to_itself() {
         let ball = Sphere { center: Vec3::new(0.0, 1.0, 0.0), radius: 1.0 };
         let ground = Sphere { center: Vec3::new(0.0, -1e6, 0.0), radius: 1e6 };
-        let scene = |spheres: &[Sphere]| Scene::new(vec![Geometry::Spheres(spheres.to_vec())]).expect("made of finite numbers");
+        let scene =
+            |spheres: &[Sphere]| Scene::new(vec![Geometry::Spheres(spheres.to_vec())]).expect("made of finite numbers");
         let [low, high] = framed(&scene(&[ball]));
         assert!((low - DVec3::new(-1.0, 0.0, -1.0)).length() < 1e-6, "{low}");
         assert!((high - DVec3::new(1.0, 2.0, 1.0)).length() < 1e-6, "{high}");

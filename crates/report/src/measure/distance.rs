@@ -15,7 +15,7 @@ const DECADES: i32 = 8;
 pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<Vec<DistanceCurve>, Error> {
     let distances: Vec<f64> = (1..=STEPS * DECADES).map(|i| 10_f64.powf(f64::from(i) / f64::from(STEPS))).collect();
     progress.stage("distance", distances.len());
-    let curve = |s: &super::subject::Subject| DistanceCurve { method: s.id(), device: s.device, points: Vec::new() };
+    let curve = |s: &super::subject::Subject| DistanceCurve { precision: s.id(), device: s.device, points: Vec::new() };
     let mut curves: Vec<DistanceCurve> = run.bench.subjects.iter().map(curve).collect();
     for (i, &distance) in distances.iter().enumerate() {
         let (scene, rays) = workload(run.plan.seed, i, distance, run.plan.distance);

@@ -1,4 +1,4 @@
-//! The 42 families, each method on each device.
+//! The 42 families, each precision on each device.
 
 use rayproof::Precision;
 use rayproof::scene::{FlatHit, Undecided};
@@ -34,12 +34,12 @@ fn one(run: &mut Run<'_>, family: &families::Family) -> Result<Family, Error> {
         }
         let same_bits = first_hits
             .iter()
-            .find(|(method, _)| *method == subject.method)
+            .find(|(precision, _)| *precision == subject.precision)
             .map(|(_, first)| first.iter().flatten().zip(hits.iter().flatten()).all(|(a, b)| a.same_bits(b)));
         let errors = errors(&run.bench, subject, &asked, tally)?;
-        rows.push(FamilyRow { method: subject.id(), device: subject.device, errors, same_bits });
+        rows.push(FamilyRow { precision: subject.id(), device: subject.device, errors, same_bits });
         if subject.device == 0 {
-            first_hits.push((subject.method, hits));
+            first_hits.push((subject.precision, hits));
         }
     }
     let rays = asked.iter().map(|a| a.rays.len() as u64).sum();

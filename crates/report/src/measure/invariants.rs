@@ -56,7 +56,7 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
     Ok(rows)
 }
 
-/// Adds a workload to the rows: those of one change, primitive, method and device are one.
+/// Adds a workload to the rows: those of one change, primitive, precision and device are one.
 fn one(run: &Run<'_>, workload: &Workload, number: usize, rows: &mut Vec<Invariant>) -> Result<(), Error> {
     let (scene, rays) = workload.make(run.plan.seed + 1, number, run.plan.invariant);
     let of_triangles = workload.primitive == "triangle";
@@ -69,14 +69,14 @@ fn one(run: &Run<'_>, workload: &Workload, number: usize, rows: &mut Vec<Invaria
             let row = Invariant {
                 change: change.name.to_owned(),
                 primitive: workload.primitive.to_owned(),
-                method: subject.id(),
+                precision: subject.id(),
                 device: subject.device,
                 verdict: rate(found.verdicts, found.rays),
                 t: rate(found.ts, found.both),
             };
             let is_same = |old: &&mut Invariant| {
-                (&old.change, &old.primitive, &old.method, old.device)
-                    == (&row.change, &row.primitive, &row.method, row.device)
+                (&old.change, &old.primitive, &old.precision, old.device)
+                    == (&row.change, &row.primitive, &row.precision, row.device)
             };
             match rows.iter_mut().find(is_same) {
                 Some(old) => {

@@ -36,13 +36,13 @@ pub(crate) fn measure(run: &mut Run<'_>, progress: &mut dyn Progress) -> Result<
         let mut peers = run.rivals.on(&scene);
         for target in TARGETS {
             let rays = aimed(&mesh, target, run.plan.leak, &mut Draw::new(run.plan.seed, 103, number as u64));
-            let place = (name, mesh.triangles.len() as u64, target);
+            let target = (name, mesh.triangles.len() as u64, target);
             let crossings = crossings(run, &scene, &rays)?;
             for subject in run.bench.subjects_on(false) {
-                rows.push(ours(run, subject, &scene, &rays, &crossings, place)?);
+                rows.push(ours(run, subject, &scene, &rays, &crossings, target)?);
             }
             for peer in &mut peers {
-                rows.extend(theirs(run, peer.as_mut(), &rays, &crossings, place));
+                rows.extend(theirs(run, peer.as_mut(), &rays, &crossings, target));
             }
             progress.step();
         }
@@ -62,7 +62,7 @@ fn crossings(run: &mut Run<'_>, scene: &Scene, rays: &[Ray]) -> Result<Vec<u32>,
 }
 
 /// A mesh's name, its triangles, and what is aimed at.
-type Place<'p> = (&'p str, u64, &'p str);
+type Target<'p> = (&'p str, u64, &'p str);
 
 fn ours(
     run: &Run<'_>,
@@ -70,14 +70,14 @@ fn ours(
     scene: &Scene,
     rays: &[Ray],
     crossings: &[u32],
-    place: Place<'_>,
+    target: Target<'_>,
 ) -> Result<Leaks, Error> {
     let ready = run.bench.ready(subject, scene, Walk::Tree)?;
     let mut hits = vec![FlatHit::MISS; rays.len()];
     ready.closest(rays, &mut hits)?;
     let mut counts = vec![0; rays.len()];
     let counted = ready.crossings(rays, &mut counts).transpose()?.is_some();
-    Ok(leaks(place, run.bench.name(subject), &hits, counted.then_some((&counts, crossings))))
+    Ok(leaks(target, run.bench.name(subject), &hits, counted.then_some((&counts, crossings))))
 }
 
 fn theirs(
@@ -85,13 +85,13 @@ fn theirs(
     peer: &mut dyn Adaptor,
     rays: &[Ray],
     crossings: &[u32],
-    place: Place<'_>,
+    target: Target<'_>,
 ) -> Option<Leaks> {
     let mut hits = vec![FlatHit::MISS; rays.len()];
     let mut counts = vec![0; rays.len()];
     let asked = peer.closest(rays, &mut hits).and_then(|_| peer.count(rays, &mut counts).transpose());
     match asked {
-        Ok(counted) => Some(leaks(place, peer.name().to_owned(), &hits, counted.map(|_| (&counts[..], crossings)))),
+        Ok(counted) => Some(leaks(target, peer.name().to_owned(), &hits, counted.map(|_| (&counts[..], crossings)))),
         Err(why) => {
             run.rivals.absent(peer.name(), &why);
             None
@@ -100,18 +100,13 @@ fn theirs(
 }
 
 /// A row: leaks by the closest hits, and what is wrong with the counts, where there are any, against the exact ones.
-fn leaks(
-    (mesh, triangles, target): Place<'_>,
-    who: String,
-    hits: &[FlatHit],
-    counts: Option<(&[u32], &[u32])>,
-) -> Leaks {
+fn leaks((mesh, triangles, at): Target<'_>, who: String, hits: &[FlatHit], counts: Option<(&[u32], &[u32])>) -> Leaks {
     let rays = hits.len() as u64;
     let share = |count: usize| rate(count as u64, rays);
     Leaks {
         mesh: mesh.to_owned(),
         triangles,
-        target: target.to_owned(),
+        target: at.to_owned(),
         who,
         leaked: share(hits.iter().filter(|hit| !hit.is_hit()).count()),
         even: counts.map(|(counts, _)| share(counts.iter().filter(|count| count.is_multiple_of(2)).count())),

@@ -1,6 +1,6 @@
 //! Wrong verdicts against the distance of the line from the silhouette of a sphere or the edge of a triangle.
 //!
-//! A rounding moves a line by about the largest coordinate times `2^-24`: margins are in that unit. A method whose wrong
+//! A rounding moves a line by about the largest coordinate times `2^-24`: margins are in that unit. A precision whose wrong
 //! verdicts stop at a margin of `m` answers rightly for some input within `m` roundings of the given one.
 
 use glam::{DVec3, Vec3};
@@ -60,7 +60,13 @@ fn curve(primitive: &str, subject: Subject, asked: &Asked, hits: &[FlatHit], mar
     let middle = |i: usize| (f64::from(LOWEST) + (i as f64 + 0.5) / 2.0).exp2();
     let filled = bins.iter().enumerate().filter(|(_, (_, of))| *of > 0);
     let points = filled.map(|(i, &(wrong, of))| MarginPoint { margin: middle(i), wrong: rate(wrong, of) }).collect();
-    MarginCurve { primitive: primitive.to_owned(), method: subject.id(), device: subject.device, points, largest_wrong }
+    MarginCurve {
+        primitive: primitive.to_owned(),
+        precision: subject.id(),
+        device: subject.device,
+        points,
+        largest_wrong,
+    }
 }
 
 /// A margin in lengths, on either side, spread evenly over the bins.

@@ -82,7 +82,7 @@ impl Run<'_> {
     }
 }
 
-/// Measures everything, with methods as `make` makes them: [`engines`], but for tests.
+/// Measures everything, with precisions as `make` makes them: [`engines`], but for tests.
 ///
 /// # Errors
 /// When a device is not there, cannot hold a scene, or fails.
@@ -114,7 +114,7 @@ pub fn measure(order: Order, make: &Make<'_>, progress: &mut dyn Progress) -> Re
         seed: run.plan.seed,
         date: today(),
         processor: processor(),
-        methods: subject::methods(),
+        precisions: subject::precisions(),
         devices,
         oracles: Oracles { compared, disagreed, beyond },
         panels,

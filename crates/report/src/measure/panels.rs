@@ -34,7 +34,7 @@ fn panel(run: &mut Run<'_>, workload: &Workload, number: usize) -> Result<Panel,
         let rays = asked[0].rays.len() as f64;
         let ns = |seconds: f64| seconds * 1e9 / (rays * PRIMITIVES as f64);
         points.push(Point {
-            method: subject.id(),
+            precision: subject.id(),
             device: subject.device,
             errors: errors(&run.bench, subject, &asked, tally)?,
             kernel_ns: own.kernel_as(ns),

@@ -1,4 +1,4 @@
-//! What is measured: a method on a device.
+//! What is measured: a precision on a device.
 
 use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
 use rayproof::{Device, Error, Intersector, Precision};
@@ -12,7 +12,7 @@ pub trait Answers {
     /// # Errors
     /// When the device fails.
     fn closest(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Undecided, Error>;
-    /// How often each ray crosses the surface, as the method sees it; `None` where it does not count.
+    /// How often each ray crosses the surface, as the precision sees it; `None` where it does not count.
     ///
     /// # Errors
     /// When the device fails.
@@ -54,7 +54,7 @@ pub enum Walk {
     Every,
 }
 
-/// Makes a scene ready. A test puts a damaged method here.
+/// Makes a scene ready. A test puts a damaged precision here.
 pub type Make<'m> = dyn Fn(&Device, &Scene, Precision, Walk) -> Result<Box<dyn Answers>, Error> + 'm;
 
 /// The engines as they are.
@@ -67,24 +67,24 @@ pub fn engines(device: &Device, scene: &Scene, precision: Precision, walk: Walk)
     Ok(Box::new((intersector, precision)))
 }
 
-/// A method on a device.
+/// A precision on a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Subject {
-    pub(crate) method: Precision,
+    pub(crate) precision: Precision,
     /// Its place among the devices.
     pub(crate) device: usize,
 }
 
 impl Subject {
     pub(crate) fn id(self) -> String {
-        self.method.name().to_owned()
+        self.precision.name().to_owned()
     }
 }
 
 /// The place of `fast` on the same device; the subject's own where that is not there.
 pub(crate) fn fast_of(subjects: &[Subject], subject: Subject) -> usize {
     let place = |wanted: Subject| subjects.iter().position(|s| *s == wanted);
-    place(Subject { method: Precision::Fast, ..subject }).or_else(|| place(subject)).unwrap_or(0)
+    place(Subject { precision: Precision::Fast, ..subject }).or_else(|| place(subject)).unwrap_or(0)
 }
 
 /// Everything that runs in one report.
@@ -95,24 +95,24 @@ pub(crate) struct Bench<'m> {
 }
 
 impl<'m> Bench<'m> {
-    /// The methods that each device has. A device refuses those it lacks numbers for.
+    /// The precisions that each device has. A device refuses those it lacks numbers for.
     pub(crate) fn new(devices: Vec<Device>, make: &'m Make<'m>) -> Self {
         let nothing = Scene::new(Vec::new()).expect("made of finite numbers");
-        let has = |device: usize, method| make(&devices[device], &nothing, method, Walk::Tree).is_ok();
-        let all = (0..devices.len()).flat_map(|device| Precision::ALL.map(|method| Subject { method, device }));
-        let subjects = all.filter(|s| has(s.device, s.method)).collect();
+        let has = |device: usize, precision| make(&devices[device], &nothing, precision, Walk::Tree).is_ok();
+        let all = (0..devices.len()).flat_map(|device| Precision::ALL.map(|precision| Subject { precision, device }));
+        let subjects = all.filter(|s| has(s.device, s.precision)).collect();
         Self { devices, subjects, make }
     }
 
-    /// The subjects that tell something of scenes with or without spheres: on triangles the schoolbook method is the
-    /// classic one.
+    /// The subjects that tell something of scenes with or without spheres: on triangles `textbook` is
+    /// `classic`.
     pub(crate) fn subjects_on(&self, spheres: bool) -> Vec<Subject> {
-        self.subjects.iter().copied().filter(|s| spheres || s.method != Precision::Textbook).collect()
+        self.subjects.iter().copied().filter(|s| spheres || s.precision != Precision::Textbook).collect()
     }
 
     /// A scene ready for a subject.
     pub(crate) fn ready(&self, subject: Subject, scene: &Scene, walk: Walk) -> Result<Box<dyn Answers>, Error> {
-        (self.make)(&self.devices[subject.device], scene, subject.method, walk)
+        (self.make)(&self.devices[subject.device], scene, subject.precision, walk)
     }
 
     /// The closest hits of a subject.
@@ -122,14 +122,14 @@ impl<'m> Bench<'m> {
         Ok(hits)
     }
 
-    /// A method and its device in words.
+    /// A precision and its device in words.
     pub(crate) fn name(&self, subject: Subject) -> String {
-        format!("{} on {}", subject.method.name(), self.devices[subject.device].info(subject.method).name)
+        format!("{} on {}", subject.precision.name(), self.devices[subject.device].info(subject.precision).name)
     }
 }
 
-/// What the methods are, for readers.
-pub(crate) fn methods() -> Vec<model::Method> {
+/// What the precisions are, for readers.
+pub(crate) fn precisions() -> Vec<model::Formulas> {
     let words = |precision| match precision {
         Precision::Textbook => ("the schoolbook quadratic, f32", ""),
         Precision::Classic => ("the stable quadratic, f32", "Cramer's rule by the book, f32"),
@@ -140,9 +140,9 @@ pub(crate) fn methods() -> Vec<model::Method> {
             ("exact: proven in f32, else in wider numbers", "exact: proven in f32, else in wider numbers")
         }
     };
-    let method = |precision: Precision| {
+    let formulas = |precision: Precision| {
         let (sphere, triangle) = words(precision);
-        model::Method { id: precision.name().to_owned(), sphere: sphere.to_owned(), triangle: triangle.to_owned() }
+        model::Formulas { id: precision.name().to_owned(), sphere: sphere.to_owned(), triangle: triangle.to_owned() }
     };
-    Precision::ALL.map(method).into()
+    Precision::ALL.map(formulas).into()
 }

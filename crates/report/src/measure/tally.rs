@@ -1,4 +1,4 @@
-//! A method's answers against the exact ones, added up.
+//! A precision's answers against the exact ones, added up.
 
 use rayproof::scene::{FlatHit, Primitive, Ray, Scene};
 
@@ -6,7 +6,7 @@ use super::statistics::{quantiles, rate};
 use super::truth::{Truth, corners};
 use crate::model::Errors;
 
-/// The verdicts and errors of a method.
+/// The verdicts and errors of a precision.
 #[derive(Default)]
 pub(crate) struct Tally {
     rays: u64,

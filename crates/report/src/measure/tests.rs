@@ -1,4 +1,4 @@
-//! Does a report find the same again, and does it show a method that is damaged on purpose?
+//! Does a report find the same again, and does it show a precision that is damaged on purpose?
 
 use rayproof::scene::{FlatHit, MISS, Ray, Scene, Undecided};
 use rayproof::{Device, DeviceChoice, Error, Precision};
@@ -77,16 +77,16 @@ fn two_runs_agree_in_everything_but_time() {
     assert!(count > 100 && replayed.filter(|case| case.replays).count() * 100 > 98 * count);
 }
 
-/// The errors of a method wherever the report has them.
-fn errors_of<'r>(report: &'r Report, method: &'r str) -> Vec<(&'r Errors, String)> {
+/// The errors of a precision wherever the report has them.
+fn errors_of<'r>(report: &'r Report, precision: &'r str) -> Vec<(&'r Errors, String)> {
     let panels = report.panels.iter().flat_map(|panel| panel.points.iter().map(move |p| (p, panel.workload.clone())));
-    let panels = panels.filter(|(point, _)| point.method == method).map(|(point, name)| (&point.errors, name));
+    let panels = panels.filter(|(point, _)| point.precision == precision).map(|(point, name)| (&point.errors, name));
     let families = report.families.iter().flat_map(|f| f.rows.iter().map(move |row| (row, f.name.clone())));
-    let families = families.filter(|(row, _)| row.method == method).map(|(row, name)| (&row.errors, name));
+    let families = families.filter(|(row, _)| row.precision == precision).map(|(row, name)| (&row.errors, name));
     panels.chain(families).collect()
 }
 
-/// The engines, but for one method's answers.
+/// The engines, but for one precision's answers.
 struct Damaged<F> {
     sound: Box<dyn Answers>,
     damage: F,
@@ -127,7 +127,7 @@ fn one_ulp_in_t_shows_everywhere() {
         seen += 1;
     }
     assert!(seen > 40, "{seen}");
-    for curve in report.distance.iter().filter(|curve| curve.method == "exact") {
+    for curve in report.distance.iter().filter(|curve| curve.precision == "exact") {
         assert!(curve.points.iter().all(|point| point.t.p50 > 0.49), "{:?}", curve.points);
     }
 }
@@ -145,7 +145,7 @@ fn one_misclassified_family_shows_and_no_other() {
     };
     let report = report(&make);
     for family in &report.families {
-        let exact = family.rows.iter().find(|row| row.method == "exact").expect("is measured");
+        let exact = family.rows.iter().find(|row| row.precision == "exact").expect("is measured");
         let wrong = &exact.errors.misses;
         if family.number == FAMILY {
             assert!(wrong.count == family.hits && family.hits > 0, "{wrong:?}");

@@ -41,7 +41,7 @@ pub(crate) struct Taken {
     kernel: Option<f64>,
 }
 
-/// What can be timed: one of our methods, or a peer.
+/// What can be timed: one of our precisions, or a peer.
 pub(crate) trait Timed {
     /// Answers the rays.
     fn take(&mut self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<Taken, Error>;
@@ -85,7 +85,7 @@ pub(crate) fn interleaved(contestants: &mut [&mut dyn Timed], rays: &[Ray], runs
     times
 }
 
-/// The times of our methods, none of which may fail.
+/// The times of our precisions, none of which may fail.
 pub(crate) fn times_of(ready: &mut [Box<dyn Answers>], rays: &[Ray], runs: u32) -> Result<Vec<Times>, Error> {
     let mut contestants: Vec<&mut dyn Timed> = ready.iter_mut().map(|r| r as &mut dyn Timed).collect();
     interleaved(&mut contestants, rays, runs).into_iter().collect()

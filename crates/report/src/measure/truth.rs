@@ -1,4 +1,4 @@
-//! What is exact of one ray, asked of the oracle once for all methods.
+//! What is exact of one ray, asked of the oracle once for all precisions.
 
 use glam::DVec3;
 use rayon::prelude::*;

@@ -7,7 +7,7 @@ use rayproof_oracle::families::Draw;
 /// Primitives of a workload.
 pub(crate) const PRIMITIVES: usize = 64;
 
-/// What a method is measured on.
+/// What a precision is measured on.
 pub(crate) struct Workload {
     /// `sphere` or `triangle`.
     pub(crate) primitive: &'static str,

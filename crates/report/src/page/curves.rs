@@ -13,7 +13,7 @@ fn distinct<C>(curves: &[C], device: impl Fn(&C) -> usize, same: impl Fn(&C, &C)
 
 /// Error of `t` (above) and the share of wrong verdicts (below) against distance over radius.
 pub(crate) fn distance(report: &Report) -> String {
-    let same = |a: &DistanceCurve, b: &DistanceCurve| a.method == b.method && a.points == b.points;
+    let same = |a: &DistanceCurve, b: &DistanceCurve| a.precision == b.precision && a.points == b.points;
     let curves: Vec<&DistanceCurve> = distinct(&report.distance, |c| c.device, same).collect();
     let mut drawing = Drawing::new(WIDTH, 640.0);
     let points = || curves.iter().flat_map(|c| &c.points);
@@ -27,7 +27,7 @@ pub(crate) fn distance(report: &Report) -> String {
     drawing.line([70.0, half, WIDTH - 120.0, half], "#888", "stroke-dasharray=\"2 3\"");
     let mut ends = Vec::new();
     for curve in &curves {
-        let (color, dash, width) = style(&curve.method);
+        let (color, dash, width) = style(&curve.precision);
         let known = || curve.points.iter().filter(|p| p.t.n > 0);
         let line = |of: fn(&crate::model::Quantiles) -> f64| -> Vec<(f64, f64)> {
             known().map(|p| (x.place(p.distance), y.place(of(&p.t)))).collect()
@@ -35,13 +35,13 @@ pub(crate) fn distance(report: &Report) -> String {
         drawing.path(&line(|t| t.max), color, "stroke-width=\"1\" stroke-opacity=\"0.55\"");
         drawing.path(&line(|t| t.p99), color, &format!("stroke-width=\"{width}\" stroke-dasharray=\"{dash}\""));
         if let Some(&(_, at)) = line(|t| t.p99).last() {
-            ends.push((WIDTH - 120.0, at, color, curve.method.clone()));
+            ends.push((WIDTH - 120.0, at, color, curve.precision.clone()));
         }
     }
     names(&mut drawing, &ends, [28.0, 370.0]);
 
     let shares = |c: &DistanceCurve| c.points.iter().map(|p| (p.distance, p.wrong)).collect::<Vec<_>>();
-    let curves: Vec<_> = curves.iter().map(|c| (c.method.as_str(), shares(c))).collect();
+    let curves: Vec<_> = curves.iter().map(|c| (c.precision.as_str(), shares(c))).collect();
     rates(&mut drawing, &curves, &x, [590.0, 400.0], "distance of the eye from the centre, over the radius");
     drawing.finish("Error of t and misclassified rays against the distance of a sphere")
 }
@@ -49,7 +49,7 @@ pub(crate) fn distance(report: &Report) -> String {
 /// Wrong verdicts against the margin, spheres on the left and triangles on the right.
 pub(crate) fn margins(report: &Report) -> String {
     let same = |a: &MarginCurve, b: &MarginCurve| {
-        (&a.method, &a.primitive) == (&b.method, &b.primitive) && a.points == b.points
+        (&a.precision, &a.primitive) == (&b.precision, &b.primitive) && a.points == b.points
     };
     let all: Vec<&MarginCurve> = distinct(&report.margins, |c| c.device, same).collect();
     let mut drawing = Drawing::new(WIDTH, 400.0);
@@ -61,7 +61,7 @@ pub(crate) fn margins(report: &Report) -> String {
         let (low, high) = points().fold((1.0_f64, 10.0_f64), |(a, b), p| (a.min(p.margin), b.max(p.margin)));
         let x = Scale::log(low, high, left, left + 420.0);
         let shares = |c: &MarginCurve| c.points.iter().map(|p| (p.margin, p.wrong)).collect::<Vec<_>>();
-        let named: Vec<_> = curves.iter().map(|c| (c.method.as_str(), shares(c))).collect();
+        let named: Vec<_> = curves.iter().map(|c| (c.precision.as_str(), shares(c))).collect();
         drawing.strong(left, 18.0, if primitive == "sphere" { "Spheres" } else { "Triangles" });
         rates(&mut drawing, &named, &x, [340.0, 30.0], &format!("{what}, in roundings of the largest coordinate"));
     }
@@ -83,8 +83,8 @@ fn rates(drawing: &mut Drawing, curves: &[(&str, Vec<(f64, Rate)>)], x: &Scale, 
     }
     drawing.text((left + right) / 2.0, bottom + 36.0, "middle", "#333", name);
     let mut ends = Vec::new();
-    for (method, points) in curves {
-        let (color, dash, width) = style(method);
+    for (precision, points) in curves {
+        let (color, dash, width) = style(precision);
         let place = |&(at, rate): &(f64, Rate)| {
             let share = 100.0 * rate.count as f64 / rate.of.max(1) as f64;
             (x.place(at), if rate.count == 0 { bottom - 10.0 } else { y.place(share) })
@@ -94,7 +94,7 @@ fn rates(drawing: &mut Drawing, curves: &[(&str, Vec<(f64, Rate)>)], x: &Scale, 
         // Where it falls to none, a curve is told apart best; else at its end.
         let fall = points.iter().rposition(|(_, rate)| rate.count > 0).filter(|&i| i + 1 < points.len());
         if let Some(&(end, at)) = fall.map_or(line.last(), |i| line.get(i)) {
-            ends.push((if fall.is_some() { end } else { right }, at, color, (*method).to_owned()));
+            ends.push((if fall.is_some() { end } else { right }, at, color, (*precision).to_owned()));
         }
     }
     let (inner, outer): (Vec<_>, Vec<_>) = ends.into_iter().partition(|(x, ..)| *x < right);
@@ -110,7 +110,7 @@ fn ticks(x: &Scale) -> Vec<(f64, String)> {
 /// Names on the right of ends of curves, moved apart.
 fn names(drawing: &mut Drawing, ends: &[(f64, f64, &'static str, String)], [top, bottom]: [f64; 2]) {
     let wanted: Vec<f64> = ends.iter().map(|(_, at, ..)| at + 4.0).collect();
-    for ((end, _, color, method), at) in ends.iter().zip(spread(&wanted, 14.0, top, bottom)) {
-        drawing.text(end + 8.0, at, "start", ink(color), method);
+    for ((end, _, color, precision), at) in ends.iter().zip(spread(&wanted, 14.0, top, bottom)) {
+        drawing.text(end + 8.0, at, "start", ink(color), precision);
     }
 }

@@ -25,7 +25,7 @@ pub(crate) fn html(reports: &[Report]) -> String {
     paragraphs(&mut out, &sections::lead(first));
     section(&mut out, &sections::summary(reports));
     plots(&mut out, reports);
-    section(&mut out, &sections::methods(first));
+    section(&mut out, &sections::precisions(first));
     rest(&mut out, first);
     for (k, report) in reports.iter().enumerate().skip(1) {
         let _ = writeln!(out, "<h1>Report {}</h1>", k + 1);
@@ -44,7 +44,7 @@ fn plots(out: &mut String, reports: &[Report]) {
         out.push_str("<p>Not measured in this report.</p>\n");
         return;
     }
-    let note = "A mark is a method on a device. Above: the error of t that 99.9 % of the hits stay within, and \
+    let note = "A mark is a precision on a device. Above: the error of t that 99.9 % of the hits stay within, and \
     a whisker up to the worst. \
                 Below: the share of misclassified rays; where none was, the mark lies on the floor and the \
                 whisker reaches the 95 % bound. \
@@ -92,7 +92,7 @@ fn rest(out: &mut String, report: &Report) {
     section(out, &sections::rules(report));
 }
 
-/// From which distance on each method misclassifies, in words.
+/// From which distance on each precision misclassifies, in words.
 fn first_wrong(report: &Report) -> String {
     let on_first = || report.distance.iter().filter(|c| c.device == 0);
     // Where two distances in a row are wrong: a single ray may be anywhere.
@@ -100,9 +100,9 @@ fn first_wrong(report: &Report) -> String {
         let from = c.points.windows(2).find(|w| w.iter().all(|p| p.wrong.count > 0));
         let none = c.points.iter().all(|p| p.wrong.count == 0);
         match from {
-            Some(w) => format!("{} from {} radii on", c.method, number(w[0].distance)),
-            None if none => format!("{} nowhere", c.method),
-            None => format!("{} here and there", c.method),
+            Some(w) => format!("{} from {} radii on", c.precision, number(w[0].distance)),
+            None if none => format!("{} nowhere", c.precision),
+            None => format!("{} here and there", c.precision),
         }
     };
     let all: Vec<String> = on_first().map(one).collect();
@@ -119,7 +119,7 @@ fn largest_wrong(report: &Report) -> String {
     let on_first = report.margins.iter().filter(|c| c.device == 0);
     let one = |c: &crate::model::MarginCurve| {
         let far = if c.largest_wrong == 0.0 { "none wrong".to_owned() } else { number(c.largest_wrong) };
-        format!("{}, {}: {far}", c.primitive, c.method)
+        format!("{}, {}: {far}", c.primitive, c.precision)
     };
     let all: Vec<String> = on_first.map(one).collect();
     if all.is_empty() {
@@ -141,7 +141,7 @@ fn details(out: &mut String, report: &Report, family: &Family) {
     for row in family.rows.iter().filter(|row| row.device == 0) {
         for (what, case) in [("worst t", &row.errors.worst), ("first misclassified", &row.errors.first_wrong)] {
             if let Some(case) = case {
-                show(out, &row.method, what, case);
+                show(out, &row.precision, what, case);
             }
         }
     }
@@ -149,15 +149,15 @@ fn details(out: &mut String, report: &Report, family: &Family) {
 }
 
 /// A case as commands to paste.
-fn show(out: &mut String, method: &str, what: &str, case: &Case) {
+fn show(out: &mut String, precision: &str, what: &str, case: &Case) {
     let off = case.ulp.map_or(String::new(), |ulp| format!(", off by {} ULP", number(ulp)));
     let replays = if case.replays { "" } else { " (alone it answers otherwise: a larger scene is scaled by its size)" };
     let _ = writeln!(
         out,
-        "<p>{method}, {what}: exact is {}; the answer {}{off}{replays}</p>\n<pre>cat &gt; case.toml \
+        "<p>{precision}, {what}: exact is {}; the answer {}{off}{replays}</p>\n<pre>cat &gt; case.toml \
         &lt;&lt;'END'\n{}END\ncat &gt; case.csv \
          &lt;&lt;'END'\n{}END\nrayproof intersect case.toml case.csv -o - --to csv --device cpu --precision \
-         {method} --check 1</pre>",
+         {precision} --check 1</pre>",
         escape(&case.exact),
         escape(&case.answer),
         escape(&case.scene),

@@ -14,7 +14,7 @@ pub(crate) fn markdown(reports: &[Report]) -> String {
         for text in sections::lead(report).iter().filter(|text| !text.is_empty()) {
             let _ = write!(out, "\n{text}\n");
         }
-        for part in [sections::methods, sections::against, sections::points] {
+        for part in [sections::precisions, sections::against, sections::points] {
             section(&mut out, &part(report));
         }
         section(&mut out, &sections::matrix(report, 0));

@@ -1,4 +1,4 @@
-//! The plot: speed against error, a point for each method on each device.
+//! The plot: speed against error, a point for each precision on each device.
 
 use super::format::number;
 use super::sections::labelled;
@@ -59,7 +59,7 @@ pub(crate) fn plot(reports: &[Report], speed: Speed) -> String {
         let (x, y) = ((i % 2) as f64 * PANEL, TOP + (i / 2) as f64 * TALL);
         draw(&mut drawing, panel, &placed(reports, panel), speed, x, y);
     }
-    drawing.finish("Speed against error of every method on every device")
+    drawing.finish("Speed against error of every precision on every device")
 }
 
 /// The points of a panel in all reports.
@@ -118,13 +118,13 @@ fn errors(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scale,
     let mut taken = fronts(drawing, points, speed, x, |p| p.errors.t.p999, |p| y.place(p.errors.t.p999));
     let mut labels = Vec::new();
     for Placed { point, device } in points {
-        let (color, ..) = style(&point.method);
+        let (color, ..) = style(&point.precision);
         let (px, py, worst) = (x.place(speed.of(point)), y.place(point.errors.t.p999), y.place(point.errors.t.max));
         drawing.line([px, py, px, worst], color, "stroke-width=\"1.5\"");
         taken.push(Area { left: px - 1.0, right: px + 1.0, top: worst, bottom: py });
         drawing.line([px - 4.0, worst, px + 4.0, worst], color, "stroke-width=\"1.5\"");
         drawing.mark(px, py, *device, color);
-        labels.push((px, py, color, point.method.clone()));
+        labels.push((px, py, color, point.precision.clone()));
     }
     label(drawing, &labels, taken, y, x);
 }
@@ -143,17 +143,17 @@ fn verdicts(drawing: &mut Drawing, points: &[Placed<'_>], speed: Speed, x: &Scal
     );
     let mut labels = Vec::new();
     for Placed { point, device } in points {
-        let (color, ..) = style(&point.method);
+        let (color, ..) = style(&point.precision);
         let (px, py) = (x.place(speed.of(point)), y.place(shown_rate(point)));
         let text = if point.errors.wrong.count == 0 {
             drawing.line([px, py, px, bottom], color, "stroke-width=\"1.5\" stroke-dasharray=\"2 2\"");
             drawing.line([px - 4.0, py, px + 4.0, py], color, "stroke-width=\"1.5\"");
             taken.push(Area { left: px - 1.0, right: px + 1.0, top: py, bottom });
             drawing.mark(px, bottom - 6.0, *device, color);
-            labels.push((px, bottom - 6.0, color, format!("{} 0", point.method)));
+            labels.push((px, bottom - 6.0, color, format!("{} 0", point.precision)));
             continue;
         } else {
-            format!("{} {} %", point.method, number(shown_rate(point)))
+            format!("{} {} %", point.precision, number(shown_rate(point)))
         };
         drawing.mark(px, py, *device, color);
         labels.push((px, py, color, text));

@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 
 use super::format::{escape, number};
 
-/// A method's colour (Okabe and Ito 2008: told apart by all kinds of colour vision), dash and width. Curves lie on one another
-/// where methods agree: the later ones are thinner or dashed, so that all are seen.
-pub(crate) fn style(method: &str) -> (&'static str, &'static str, f64) {
-    match method {
+/// A precision's colour (Okabe and Ito 2008: told apart by all kinds of colour vision), dash and width. Curves lie on one another
+/// where precisions agree: the later ones are thinner or dashed, so that all are seen.
+pub(crate) fn style(precision: &str) -> (&'static str, &'static str, f64) {
+    match precision {
         "textbook" => ("#d55e00", "", 5.0),
         "classic" => ("#e69f00", "", 2.0),
         "fast" => ("#0072b2", "", 2.5),
@@ -17,7 +17,7 @@ pub(crate) fn style(method: &str) -> (&'static str, &'static str, f64) {
     }
 }
 
-/// A method's colour for text, dark enough to read.
+/// A precision's colour for text, dark enough to read.
 pub(crate) fn ink(color: &'static str) -> &'static str {
     match color {
         "#e69f00" => "#946200",

@@ -51,7 +51,7 @@ fn pages_are_whole() {
     let page = html(&[report.clone(), report.clone()]);
     for title in [
         "In one table",
-        "The methods",
+        "The precisions",
         "Report 2",
         "Speed against error",
         "A sphere that moves away",

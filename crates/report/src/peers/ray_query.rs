@@ -13,7 +13,7 @@ const NAME: &str = "wgpu ray query";
 pub fn ray_query_peer(mesh: &Mesh, selector: &Selector) -> Contestant {
     let query = RayQuery::new(selector, mesh).map_err(|e| Absent::new(NAME, e.to_string()))?;
     let version = query.driver().to_owned();
-    Ok(Box::new(Peer { query, version, triangles: mesh.triangles.len() }))
+    Ok(Box::new(RayQueryPeer { query, version, triangles: mesh.triangles.len() }))
 }
 
 /// This peer where it is not measured, because of `why`.
@@ -21,13 +21,13 @@ pub fn absent_ray_query(why: &str) -> Contestant {
     Err(Absent::new(NAME, why))
 }
 
-struct Peer {
+struct RayQueryPeer {
     query: RayQuery,
     version: String,
     triangles: usize,
 }
 
-impl Adaptor for Peer {
+impl Adaptor for RayQueryPeer {
     fn name(&self) -> &str {
         NAME
     }

@@ -1,5 +1,7 @@
 //! The hard cases, as scenes to step through.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayproof::scene::{Camera, FlatHit, Primitive, Ray, Scene};
 use rayproof::{Device, Error, Precision};
@@ -14,7 +16,7 @@ const RAYS: usize = 256;
 
 /// A scene of a family, with the rays that are aimed at it.
 pub(crate) struct Exhibit {
-    pub(crate) world: World,
+    pub(crate) world: Arc<World>,
     /// The family's place in the list of all.
     pub(crate) family: usize,
     /// The scene's place among the family's.
@@ -24,7 +26,7 @@ pub(crate) struct Exhibit {
     pub(crate) rays: Vec<Answered>,
 }
 
-/// A ray of an exhibit, and every method's answer.
+/// A ray of an exhibit, and every precision's answer.
 #[derive(Clone)]
 pub(crate) struct Answered {
     pub(crate) ray: Ray,
@@ -50,7 +52,7 @@ impl Exhibit {
         let case = cases.swap_remove(number);
         let name = format!("family {}, {}: scene {} of {of}", hung.number, hung.name, number + 1);
         let camera = case.rays.first().and_then(|first| seen_from(&case.scene, &case.rays, first));
-        let world = World::new(name, case.scene, camera, device);
+        let world = Arc::new(World::new(name, case.scene, camera, device));
         let mut answers = vec![[FlatHit::MISS; 6]; case.rays.len()];
         for (place, precision) in Precision::ALL.into_iter().enumerate() {
             let mut hits = vec![FlatHit::MISS; case.rays.len()];

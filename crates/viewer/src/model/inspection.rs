@@ -1,4 +1,4 @@
-//! One ray, as every method answers it.
+//! One ray, as every precision answers it.
 
 use rayproof::files::replay;
 use rayproof::scene::{FlatHit, Ray, Scene};
@@ -26,7 +26,7 @@ pub(crate) struct Inspection {
 }
 
 impl Inspection {
-    /// Asks every method, and works out the calculation for a primitive: `wanted`, or else the exact one.
+    /// Asks every precision, and works out the calculation for a primitive: `wanted`, or else the exact one.
     ///
     /// # Errors
     /// When the scene is too large for another tree.
@@ -50,7 +50,7 @@ impl Inspection {
         Ok(Self { ray, hits, truth, candidates, worked })
     }
 
-    /// Shell commands that ask `rayproof intersect` for the answer of a method again, to the bit.
+    /// Shell commands that ask `rayproof intersect` for the answer of a precision again, to the bit.
     pub(crate) fn commands(&self, scene: &Scene, precision: Precision) -> String {
         let (text, same) = self.case(scene, precision);
         let rays = replay::ray_file(&self.ray);

@@ -65,7 +65,9 @@ impl Mode {
             Self::Error => "How far t is from the exact answer, in units in the last place (ULP).",
             Self::Verdict => "Whether the answer is the exact one: hits that are not there, hits that were missed.",
             Self::Stage => "Which stage of the precision exact decides each pixel.",
-            Self::Difference => "How far apart the t of two methods are, in ULP; red where they hit different things.",
+            Self::Difference => {
+                "How far apart the t of two precisions are, in ULP; red where they hit different things."
+            }
         }
     }
 
@@ -74,7 +76,7 @@ impl Mode {
         matches!(self, Self::Error | Self::Verdict)
     }
 
-    /// Whether the picture can be split between two methods.
+    /// Whether the picture can be split between two precisions.
     pub(crate) const fn splits(self) -> bool {
         !matches!(self, Self::Stage | Self::Difference)
     }
@@ -130,7 +132,7 @@ mod by_name {
 impl Source {
     pub(crate) const EXACT: Self = Self::device(Precision::Exact);
 
-    /// A method on the device.
+    /// A precision on the device.
     #[must_use]
     pub const fn device(precision: Precision) -> Self {
         Self { precision, place: Place::Device }
@@ -146,7 +148,7 @@ impl Source {
 pub struct Look {
     /// What a pixel shows.
     pub mode: Mode,
-    /// The method whose answers are shown.
+    /// The precision whose answers are shown.
     pub left: Source,
     /// Another one: right of the split, or the second of a difference.
     pub right: Source,

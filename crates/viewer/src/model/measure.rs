@@ -1,4 +1,4 @@
-//! Speed and error of every method, on the rays of a view.
+//! Speed and error of every precision, on the rays of a view.
 
 use std::time::Instant;
 
@@ -11,10 +11,10 @@ use super::world::World;
 
 /// Rays of the view that are taken, at most.
 const RAYS: u32 = 30_000;
-/// Rounds, all methods in turn in each.
+/// Rounds, all precisions in turn in each.
 const ROUNDS: usize = 5;
 
-/// A method's place in the plot.
+/// A precision's place in the plot.
 #[derive(Clone, Debug)]
 pub(crate) struct Measured {
     pub(crate) precision: Precision,
@@ -24,7 +24,7 @@ pub(crate) struct Measured {
     pub(crate) rays: usize,
 }
 
-/// Times every method that the device has, and compares its answers with those of the precision exact.
+/// Times every precision that the device has, and compares its answers with those of the precision exact.
 ///
 /// # Errors
 /// When the device fails.
@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_method_is_measured_and_exact_is_right() {
+    fn every_precision_is_measured_and_exact_is_right() {
         let world = World::welcome(Device::cpu());
         let far = crate::model::navigate::walk_away(&world.camera, &world.scene, 4.0);
         let measured = measure(&world, &far, [400, 300]).unwrap();

@@ -20,7 +20,7 @@ pub(crate) struct Side<'a> {
     pub(crate) mode: Mode,
     /// What is shown.
     pub(crate) shown: &'a Layer,
-    /// What it is compared with: exact answers, or another method's.
+    /// What it is compared with: exact answers, or another precision's.
     pub(crate) against: Option<&'a Layer>,
 }
 
@@ -119,7 +119,7 @@ pub(crate) enum Figures {
     Errors(Errors),
 }
 
-/// How a method's answers stand to others.
+/// How a precision's answers stand to others.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Errors {
     /// How many there are of each verdict, in the order of [`Verdict::ALL`].

@@ -1,4 +1,4 @@
-//! A scene that is open, with an engine for each method that was asked for.
+//! A scene that is open, with an engine for each precision that was asked for.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -48,7 +48,7 @@ impl World {
         Self::new("a sphere and 320 triangles", scene, None, device)
     }
 
-    /// The engine of a method, made when first asked for.
+    /// The engine of a precision, made when first asked for.
     ///
     /// # Errors
     /// When the device cannot hold the scene, or fails.
@@ -70,7 +70,7 @@ impl World {
         Ok(made)
     }
 
-    /// The CPU engine of a method: for single rays, where a device would gain nothing.
+    /// The CPU engine of a precision: for single rays, where a device would gain nothing.
     ///
     /// # Errors
     /// When the scene is too large.

@@ -1,21 +1,22 @@
 //! Numbers about the picture.
 
 use egui::{ProgressBar, RichText, Ui};
-use rayproof::Precision;
+use rayproof::scene::Camera;
 use rayproof_picture::shade::Verdict;
 
+use super::canvas::Canvas;
+use super::inspector::Picked;
 use super::legend;
 use super::words::{counted, grouped, many, short};
-use crate::app::App;
+use crate::act::Act;
 use crate::model::look::Mode;
 use crate::model::paint::{Errors, Figures};
 
-pub(super) fn show(app: &mut App, ui: &mut Ui) {
-    let (figures, progress, size, look) = {
-        let picture = app.tracer.picture();
-        (picture.figures.clone(), picture.progress.clone(), picture.size, picture.look)
-    };
+/// Shows them; where pixels are wrong, a button inspects the one after `last`.
+pub(super) fn show(ui: &mut Ui, canvas: &Canvas, camera: &Camera, last: Option<[u32; 2]>) -> Option<Act> {
+    let Canvas { figures, progress, size, look, .. } = canvas;
     let pixels = size[0] as usize * size[1] as usize;
+    let mut act = None;
     let names = [look.left, look.right].map(|source| source.precision.name());
     for (side, (figures, name)) in figures.iter().zip(names).enumerate() {
         match figures {
@@ -36,7 +37,8 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
                 ui.label(RichText::new(name).strong());
                 errors_of(ui, look.mode, errors, pixels);
                 let by = if side == 0 { look.left.precision } else { look.right.precision };
-                ui.push_id(side, |ui| next_wrong(app, ui, errors, size, by));
+                let next = ui.push_id(side, |ui| next_wrong(ui, errors, *size, last)).inner;
+                act = act.or(next.map(|pixel| Act::Inspect(Picked::through(camera, *size, pixel), Some(by))));
             }
         }
     }
@@ -50,6 +52,7 @@ pub(super) fn show(app: &mut App, ui: &mut Ui) {
         ui.label(RichText::new(told).weak());
         ui.add(ProgressBar::new(judged as f32 / of.max(1) as f32).desired_height(6.0));
     }
+    act
 }
 
 fn errors_of(ui: &mut Ui, mode: Mode, errors: &Errors, pixels: usize) {
@@ -68,19 +71,15 @@ fn errors_of(ui: &mut Ui, mode: Mode, errors: &Errors, pixels: usize) {
     }
 }
 
-/// Goes from one wrong pixel of a method to the next.
-fn next_wrong(app: &mut App, ui: &mut Ui, errors: &Errors, size: [u32; 2], by: Precision) {
-    if errors.places.is_empty() {
-        return;
-    }
+/// Goes from one wrong pixel to the next.
+fn next_wrong(ui: &mut Ui, errors: &Errors, [width, _]: [u32; 2], last: Option<[u32; 2]>) -> Option<[u32; 2]> {
+    let first = errors.places.first()?;
     let button = ui.button("Inspect the next of these").on_hover_text("They are ringed where they are few");
     if !button.clicked() {
-        return;
+        return None;
     }
-    let last = app.inspector.picked.as_ref().and_then(|picked| picked.pixel);
-    let last = last.map(|[x, y]| y * size[0] + x);
+    let last = last.map(|[x, y]| y * width + x);
     let after = |place: u32| last.is_none_or(|last| place > last);
-    let next = errors.places.iter().find(|(place, _)| after(*place)).unwrap_or(&errors.places[0]).0;
-    app.inspector.handed = Some(by);
-    super::pick(app, ui.ctx(), size, [next % size[0], next / size[0]]);
+    let next = errors.places.iter().find(|(place, _)| after(*place)).unwrap_or(first).0;
+    Some([next % width, next / width])
 }

@@ -7,7 +7,7 @@ use super::view::about;
 use crate::keys::HELP;
 use crate::model::look::Mode;
 
-pub(super) fn show(ui: &mut Ui) {
+pub(crate) fn show(ui: &mut Ui) {
     ui.heading("Keys and pointer");
     for (keys, does) in HELP {
         ui.horizontal_wrapped(|ui| {
@@ -24,7 +24,7 @@ pub(super) fn show(ui: &mut Ui) {
         });
     }
     ui.add_space(8.0);
-    ui.heading("Methods");
+    ui.heading("Precisions");
     for precision in Precision::ALL {
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(precision.name()).strong());

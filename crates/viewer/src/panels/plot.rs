@@ -1,13 +1,14 @@
-//! Speed against error of all methods, on the view that is shown.
+//! Speed against error of all precisions, on the view that is shown.
 
-use egui::{Color32, Grid, RichText, Ui};
-use egui_plot::{Corner, GridMark, Legend, Line, MarkerShape, Plot, PlotPoints, Points};
+use egui::{Color32, Context, Grid, RichText, Ui};
+use egui_plot::{Corner, GridMark, Legend, Line, MarkerShape, PlotPoints, Points};
 
 use super::words::{grouped, many};
-use crate::app::App;
-use crate::model::measure::Measured;
+use crate::model::measure::{Measured, measure};
+use crate::model::task::{Task, take};
+use crate::model::view::View;
 
-/// Okabe and Ito's colours, one a method.
+/// Okabe and Ito's colours, one a precision.
 const COLORS: [Color32; 6] = [
     Color32::from_rgb(213, 94, 0),
     Color32::from_rgb(230, 159, 0),
@@ -30,27 +31,63 @@ const SHAPES: [MarkerShape; 6] = [
 /// Where no error at all is drawn, on the logarithmic axis.
 const NONE: f64 = -1.0;
 
-pub(super) fn show(app: &mut App, ui: &mut Ui) {
-    ui.heading("Speed against error");
-    ui.label("On the rays of this view: the time of a ray, and the error of t that 99.9\u{a0}% of the hits stay within. Left and down is better.");
-    match &app.measured {
-        Some((_, Ok(measured))) => {
-            plot(ui, measured);
-            table(ui, measured);
-        }
-        Some((_, Err(why))) => {
-            ui.colored_label(ui.visuals().error_fg_color, why);
-        }
-        None => {}
+/// What was measured, and the number of the view that it was measured on.
+type Measurement = (u64, Result<Vec<Measured>, String>);
+
+/// The plot, and what is being measured for it.
+#[derive(Default)]
+pub(crate) struct Plot {
+    measuring: Option<Task<Measurement>>,
+    pub(crate) measured: Option<Measurement>,
+}
+
+impl Plot {
+    /// Whether a view is still to be measured.
+    pub(crate) fn wants(&self, number: u64) -> bool {
+        self.measuring.is_none() && self.measured.as_ref().is_none_or(|(measured, _)| *measured != number)
     }
-    if app.measuring.is_some() {
-        ui.horizontal(|ui| {
-            ui.spinner();
-            ui.label("measuring");
-        });
+
+    /// Measures all precisions on a view.
+    pub(crate) fn measure(&mut self, context: &Context, view: View, number: u64) {
+        self.measuring = Some(Task::start(context, move || {
+            (number, measure(&view.world, &view.camera, view.size).map_err(|e| e.to_string()))
+        }));
     }
-    if ui.button("Measure again").clicked() {
-        app.measured = None;
+
+    pub(crate) const fn is_measuring(&self) -> bool {
+        self.measuring.is_some()
+    }
+
+    /// Takes in the measurement when it is there.
+    pub(crate) fn collect(&mut self) {
+        if let Some(measured) = take(&mut self.measuring) {
+            self.measured = Some(measured.unwrap_or_else(|why| (0, Err(why.to_owned()))));
+        }
+    }
+
+    /// Shows it.
+    pub(crate) fn show(&mut self, ui: &mut Ui) {
+        ui.heading("Speed against error");
+        ui.label("On the rays of this view: the time of a ray, and the error of t that 99.9\u{a0}% of the hits stay within. Left and down is better.");
+        match &self.measured {
+            Some((_, Ok(measured))) => {
+                plot(ui, measured);
+                table(ui, measured);
+            }
+            Some((_, Err(why))) => {
+                ui.colored_label(ui.visuals().error_fg_color, why);
+            }
+            None => {}
+        }
+        if self.is_measuring() {
+            ui.horizontal(|ui| {
+                ui.spinner();
+                ui.label("measuring");
+            });
+        }
+        if ui.button("Measure again").clicked() {
+            self.measured = None;
+        }
     }
 }
 
@@ -94,7 +131,7 @@ fn decades(input: egui_plot::GridInput) -> Vec<GridMark> {
 }
 
 fn plot(ui: &mut Ui, measured: &[Measured]) {
-    Plot::new("speed against error")
+    egui_plot::Plot::new("speed against error")
         .height(280.0)
         .allow_scroll(false)
         .allow_drag(false)
@@ -134,7 +171,7 @@ fn nanoseconds(time: f64) -> String {
 
 fn table(ui: &mut Ui, measured: &[Measured]) {
     Grid::new("measured").striped(true).num_columns(5).show(ui, |ui| {
-        for head in ["method", "ns a ray", "99.9 %, ULP", "worst", "wrong"] {
+        for head in ["precision", "ns a ray", "99.9 %, ULP", "worst", "wrong"] {
             ui.label(RichText::new(head).strong());
         }
         ui.end_row();

@@ -1,34 +1,53 @@
-//! What is shown, by which methods, and from where.
+//! What is shown, by which precisions, and from where.
 
-use egui::{Context, RichText, ScrollArea, Slider, Ui};
+use egui::{RichText, ScrollArea, Slider, Ui};
 use rayproof::Precision;
 
+use super::canvas::Canvas;
 use super::figures;
 use super::words::{list, short};
-use crate::app::App;
-use crate::model::look::{Mode, Place, Source};
+use crate::act::Act;
+use crate::model::look::{Look, Mode, Place, Source};
 use crate::model::navigate;
+use crate::settings::Settings;
+use crate::standpoint::Standpoint;
 
-pub(super) fn show(app: &mut App, ui: &mut Ui) {
+/// Shows the panel on the left. `last` is the pixel that was picked last: figures lead on from there.
+pub(crate) fn show(
+    ui: &mut Ui,
+    settings: &Settings,
+    has_device: bool,
+    standpoint: &Standpoint,
+    canvas: &Canvas,
+    last: Option<[u32; 2]>,
+) -> Vec<Act> {
+    let (mut look, mut split_at) = (settings.look, settings.split_at);
+    let mut acts = Vec::new();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        // Each part has its own identity: a slider is held on to when parts above it come and go.
-        for (title, part) in [
-            ("Show", modes as fn(&mut App, &mut Ui)),
-            ("Method", methods),
-            ("Camera", camera),
-            ("Figures", figures::show),
-        ] {
-            ui.push_id(title, |ui| {
-                ui.heading(title);
-                part(app, ui);
-                ui.add_space(6.0);
-            });
-        }
+        part(ui, "Show", |ui| modes(ui, &mut look));
+        part(ui, "Precision", |ui| precisions(ui, &mut look, &mut split_at, has_device));
+        part(ui, "Camera", |ui| acts.extend(camera(ui, standpoint, canvas.size)));
+        part(ui, "Figures", |ui| acts.extend(figures::show(ui, canvas, &standpoint.camera, last)));
+    });
+    if look != settings.look {
+        acts.push(Act::Show(look));
+    }
+    if split_at.to_bits() != settings.split_at.to_bits() {
+        acts.push(Act::SplitAt(split_at));
+    }
+    acts
+}
+
+/// A part under its heading. Each has its own identity: a slider is held on to when parts above it come and go.
+fn part(ui: &mut Ui, title: &str, content: impl FnOnce(&mut Ui)) {
+    ui.push_id(title, |ui| {
+        ui.heading(title);
+        content(ui);
+        ui.add_space(6.0);
     });
 }
 
-fn modes(app: &mut App, ui: &mut Ui) {
-    let look = &mut app.settings.look;
+fn modes(ui: &mut Ui, look: &mut Look) {
     ui.columns(2, |columns| {
         for (i, mode) in Mode::ALL.into_iter().enumerate() {
             let column = &mut columns[usize::from(i >= Mode::ALL.len().div_ceil(2))];
@@ -39,31 +58,29 @@ fn modes(app: &mut App, ui: &mut Ui) {
     ui.label(RichText::new(look.mode.explains()).weak());
 }
 
-fn methods(app: &mut App, ui: &mut Ui) {
-    let has_device = !app.device.is_cpu();
-    let look = &mut app.settings.look;
+fn precisions(ui: &mut Ui, look: &mut Look, split_at: &mut f32, has_device: bool) {
     if look.mode == Mode::Stage {
         ui.label("The cascade of the precision exact.");
         return;
     }
     let differs = look.mode == Mode::Difference;
-    choice(ui, "method", &mut look.left, has_device);
+    choice(ui, "precision", &mut look.left, has_device);
     if differs {
         choice(ui, "against", &mut look.right, has_device);
         return;
     }
-    ui.checkbox(&mut look.split, "split the picture").on_hover_text("Between two methods (X)");
+    ui.checkbox(&mut look.split, "split the picture").on_hover_text("Between two precisions (X)");
     if look.split {
         choice(ui, "right of the split", &mut look.right, has_device);
         ui.horizontal(|ui| {
             let label = ui.label("split at");
-            let slider = Slider::new(&mut app.settings.split_at, 0.0..=1.0).show_value(false);
+            let slider = Slider::new(split_at, 0.0..=1.0).show_value(false);
             ui.add(slider).labelled_by(label.id);
         });
     }
 }
 
-/// Picks a method and, where there is a device, the place where it runs.
+/// Picks a precision and, where there is a device, the place where it runs.
 fn choice(ui: &mut Ui, label: &str, source: &mut Source, has_device: bool) {
     list(ui, label, source.precision.name(), |ui| {
         for precision in Precision::ALL {
@@ -78,7 +95,7 @@ fn choice(ui: &mut Ui, label: &str, source: &mut Source, has_device: bool) {
     }
 }
 
-/// A method in one sentence.
+/// A precision in one sentence.
 pub(super) const fn about(precision: Precision) -> &'static str {
     match precision {
         Precision::Textbook => "The schoolbook quadratic in f32, with both its cancellations; triangles as in classic.",
@@ -90,51 +107,42 @@ pub(super) const fn about(precision: Precision) -> &'static str {
     }
 }
 
-fn camera(app: &mut App, ui: &mut Ui) {
-    let context = ui.ctx().clone();
+fn camera(ui: &mut Ui, standpoint: &Standpoint, size: [u32; 2]) -> Vec<Act> {
+    let camera = &standpoint.camera;
+    let mut acts = Vec::new();
     ui.horizontal_wrapped(|ui| {
         if ui.button("Frame").on_hover_text("Back to where the scene is seen from at first (F)").clicked() {
-            app.frame();
+            acts.push(Act::Frame);
         }
         if ui.button("Copy").on_hover_text("As the table [camera] of a scene file (C)").clicked() {
-            copy_camera(app, &context);
+            acts.push(Act::copy_camera(camera));
         }
     });
-    distance(app, ui);
-    let camera = &app.camera;
+    acts.extend(distance(ui, standpoint.decades));
     let numbers = |v: glam::Vec3| v.to_array().map(short).join(", ");
     let (eye, target, fov) = (numbers(camera.eye), numbers(camera.target), short(camera.fov_y));
     let text = format!("eye {eye}\ntarget {target}\nfield of view {fov}°");
     ui.label(RichText::new(text).weak().size(11.0));
-    let shared = navigate::pixels_a_ray(camera, app.canvas.size);
+    let shared = navigate::pixels_a_ray(camera, size);
     if shared >= 1.5 {
         let color = ui.visuals().warn_fg_color;
         let many = if shared.is_finite() { format!("some {shared:.0}") } else { "all".to_owned() };
         let text = format!(
-            "The zoom is beyond f32: {many} neighbouring pixels share one ray, whatever the method. \
-             Blocks and stripes are the rays', not the method's."
+            "The zoom is beyond f32: {many} neighbouring pixels share one ray, whatever the precision. \
+             Blocks and stripes are the rays', not the precision's."
         );
         ui.colored_label(color, text);
     }
+    acts
 }
 
-/// Walking away from whatever is shown.
-pub(super) fn distance(app: &mut App, ui: &mut Ui) {
-    let mut decades = app.gallery.decades;
+/// Walking away from whatever is shown, by powers of ten of its size.
+pub(super) fn distance(ui: &mut Ui, mut decades: f64) -> Option<Act> {
     let why = "Walks away along an axis, in multiples of the scene's size; the zoom keeps its size in the picture.";
     let moved = ui.horizontal(|ui| {
         let label = ui.label("distance");
         let slider = Slider::new(&mut decades, 0.0..=8.0).custom_formatter(|x, _| format!("10^{x:.1}"));
         ui.add(slider).labelled_by(label.id).on_hover_text(why).changed()
     });
-    if moved.inner {
-        app.gallery.decades = decades;
-        app.camera = navigate::walk_away(&app.camera, &app.world.scene, decades);
-    }
-}
-
-/// Copies the camera as the table of a scene file.
-pub(crate) fn copy_camera(app: &mut App, context: &Context) {
-    context.copy_text(app.camera.table());
-    app.tell(context, "copied the camera as a [camera] table");
+    moved.inner.then_some(Act::WalkAway(decades))
 }

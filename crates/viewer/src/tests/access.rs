@@ -9,8 +9,10 @@ use egui_kittest::wgpu::WgpuTestRenderer;
 use rayproof::{DeviceChoice, Precision};
 
 use super::*;
+use crate::act::Act;
 use crate::model::look::Source;
-use crate::settings::{Settings, Side};
+use crate::panels::inspector::Picked;
+use crate::settings::{Panel, Settings};
 
 /// Controls that do something.
 const CONTROLS: [Role; 9] = [
@@ -32,12 +34,13 @@ fn every_control_has_a_label() {
     let mut viewer = viewer(Some(&sample()), split);
     let mut seen = HashMap::new();
     for panel in ["Inspector", "Gallery", "Plot", "Help"] {
-        if viewer.state().settings.side.is_none_or(|side| format!("{side:?}") != panel) {
+        if viewer.state().settings.panel.is_none_or(|open| format!("{open:?}") != panel) {
             click(&mut viewer, panel);
         }
         if panel == "Inspector" {
             let (context, size) = (viewer.ctx.clone(), viewer.state().canvas.size);
-            crate::panels::pick(viewer.state_mut(), &context, size, [48, 40]);
+            let ray = Picked::through(&viewer.state().standpoint.camera, size, [48, 40]);
+            viewer.state_mut().apply(&context, [Act::Inspect(ray, None)]);
             settle(&mut viewer);
         }
         if panel == "Gallery" {
@@ -103,8 +106,8 @@ fn the_last_scene_and_mode_come_back() {
     });
     settle(&mut viewer);
     let state = viewer.state();
-    assert_eq!((state.world.name.as_str(), state.settings.look.mode), ("sample.toml", Mode::Depth));
-    assert_eq!(state.settings.side, Some(Side::Gallery));
+    assert_eq!((state.standpoint.world.name.as_str(), state.settings.look.mode), ("sample.toml", Mode::Depth));
+    assert_eq!(state.settings.panel, Some(Panel::Gallery));
 }
 
 #[test]
@@ -134,7 +137,7 @@ fn one_device_runs_the_kernels_and_paints_the_window() {
     };
     let builder = Harness::builder().with_size([760.0, 520.0]).renderer(WgpuTestRenderer::from_setup(setup));
     let mut viewer = builder.build_eframe(|window| App::new(window, start));
-    viewer.state_mut().settings.side = None;
+    viewer.state_mut().settings.panel = None;
     settle(&mut viewer);
     let window = viewer.render().unwrap();
     let rect = viewer.get_by_label_contains("Picture of").rect();

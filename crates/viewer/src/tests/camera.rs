@@ -6,7 +6,7 @@ use rayproof::scene::Camera;
 use super::*;
 
 fn camera(viewer: &Harness<'_, App>) -> Camera {
-    viewer.state().camera
+    viewer.state().standpoint.camera
 }
 
 /// Where the picture is on the screen.

@@ -30,7 +30,7 @@ fn a_dropped_file_is_opened() {
     let mut viewer = viewer(None, look(Mode::Primitive));
     let before = pixels(&viewer);
     drop_file(&mut viewer, sample());
-    assert_eq!(viewer.state().world.scene.count(rayproof::scene::Kind::Triangle), 12_800);
+    assert_eq!(viewer.state().standpoint.world.scene.count(rayproof::scene::Kind::Triangle), 12_800);
     assert!(viewer.query_by_label_contains("12,800 triangles, 8 spheres").is_some());
     assert_ne!(pixels(&viewer), before);
 }
@@ -44,7 +44,7 @@ fn a_typed_path_is_opened() {
     viewer.step();
     viewer.key_press(egui::Key::Enter);
     settle(&mut viewer);
-    assert_eq!(viewer.state().world.name, "sample.toml");
+    assert_eq!(viewer.state().standpoint.world.name, "sample.toml");
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn a_bad_file_is_a_message_and_the_scene_stays() {
         std::fs::write(&path, bytes).unwrap();
         drop_file(&mut viewer, path);
         assert!(viewer.query_by_label_contains("could not be opened").is_some(), "{name} was opened");
-        assert!(viewer.query_by_label_contains(says).is_some(), "{name}: {:?}", viewer.state().fault);
+        assert!(viewer.query_by_label_contains(says).is_some(), "{name}: {:?}", viewer.state().opener.fault);
         assert_eq!(pixels(&viewer), before, "{name}");
         click(&mut viewer, "Dismiss");
         assert!(viewer.query_by_label_contains("could not be opened").is_none());
@@ -73,7 +73,7 @@ fn a_bad_file_is_a_message_and_the_scene_stays() {
     drop_file(&mut viewer, folder.path().join("gone.ply"));
     assert!(viewer.query_by_label_contains("gone.ply").is_some());
     drop_file(&mut viewer, sample());
-    assert_eq!(viewer.state().fault, None);
+    assert_eq!(viewer.state().opener.fault, None);
 }
 
 #[test]

@@ -10,7 +10,7 @@ use super::*;
 use crate::model::look::Source;
 use crate::model::paint::{Figures, HIT};
 
-/// The sample, its rays in the picture's order, and a method's hits.
+/// The sample, its rays in the picture's order, and a precision's hits.
 struct Expected {
     world: crate::model::world::World,
     rays: Vec<Ray>,
@@ -35,7 +35,7 @@ impl Expected {
         oracle.batch(&self.rays, Oracle::hit)
     }
 
-    /// What a mode shows of a method, from first principles: the answers themselves, coloured.
+    /// What a mode shows of a precision, from first principles: the answers themselves, coloured.
     fn picture(&self, mode: Mode, precision: Precision) -> Vec<Rgb> {
         let hits = self.hits(precision);
         let each =
@@ -86,23 +86,23 @@ fn every_mode_draws_what_it_says() {
             seen.insert(drawn);
         }
     }
-    // Nothing is shown in place of something else: of the 25 pictures those of the exact method are as good as equal in
+    // Nothing is shown in place of something else: of the 25 pictures those of the precision exact are as good as equal in
     // most modes, but no two modes are.
     println!("{} different pictures", seen.len());
     assert!(seen.len() >= 15);
 }
 
 #[test]
-fn methods_are_chosen_by_their_names() {
+fn precisions_are_chosen_by_their_names() {
     let mut viewer = viewer(Some(&sample()), look(Mode::Error));
-    choose(&mut viewer, "method", "textbook");
+    choose(&mut viewer, "precision", "textbook");
     assert_eq!(viewer.state().settings.look.left, Source::device(Precision::Textbook));
     let worst = |viewer: &Harness<'_, App>| match viewer.state().tracer.picture().figures[0].clone() {
         Some(Figures::Errors(errors)) => errors.ulps.unwrap()[2],
         other => panic!("{other:?}"),
     };
     let textbook = worst(&viewer);
-    choose(&mut viewer, "method", "exact");
+    choose(&mut viewer, "precision", "exact");
     println!("worst t of the textbook {textbook} ULP, of exact {}", worst(&viewer));
     assert!(textbook > 1000 && worst(&viewer) == 0);
     // The ground of radius 1e6 is what is lost.
@@ -119,7 +119,7 @@ fn the_oracle_judges_every_pixel() {
 }
 
 #[test]
-fn a_split_shows_a_method_on_each_side() {
+fn a_split_shows_a_precision_on_each_side() {
     let expected = Expected::new();
     let left = Source::device(Precision::Textbook);
     let mut viewer = viewer(Some(&sample()), Look { left, ..look(Mode::Error) });

@@ -130,7 +130,7 @@ fn speed_and_error_are_plotted() {
     let mut viewer = viewer(None, look(Mode::Normal));
     click(&mut viewer, "Plot");
     settle(&mut viewer);
-    let (_, measured) = viewer.state().measured.clone().unwrap();
+    let (_, measured) = viewer.state().plot.measured.clone().unwrap();
     assert_eq!(measured.unwrap().len(), 6);
     assert!(viewer.query_by_label("Measure again").is_some());
 }

@@ -26,7 +26,7 @@ fn window(theme: egui::Theme, look: Look) -> Harness<'static, App> {
     };
     let builder = Harness::builder().with_size([WIDTH, HEIGHT]).with_theme(theme).wgpu();
     let mut viewer = builder.build_eframe(|window| App::new(window, start));
-    viewer.state_mut().settings.side = None;
+    viewer.state_mut().settings.panel = None;
     settle(&mut viewer);
     viewer
 }

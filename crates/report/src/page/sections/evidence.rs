@@ -25,9 +25,10 @@ pub(crate) fn leaks(report: &Report) -> Section {
 }
 
 pub(crate) fn invariants(report: &Report) -> Section {
-    let mut table = Table::new(4, ["change", "primitive", "method", "device", "hit or primitive changed", "t changed"]);
+    let mut table =
+        Table::new(4, ["change", "primitive", "precision", "device", "hit or primitive changed", "t changed"]);
     for i in &report.invariants {
-        let (who, d) = (i.method.clone(), device(report, i.device).to_owned());
+        let (who, d) = (i.precision.clone(), device(report, i.device).to_owned());
         table.row([i.change.clone(), i.primitive.clone(), who, d, rate(&i.verdict), rate(&i.t)]);
     }
     let text = "Real arithmetic's answer does not depend on the order of vertices or axes, and scales by powers \

@@ -19,14 +19,14 @@ fn shade(errors: &Errors) -> u8 {
 
 /// The families at a glance, on one device.
 pub(crate) fn matrix(report: &Report, on: usize) -> Section {
-    let ids = || report.methods.iter().map(|m| m.id.as_str());
+    let ids = || report.precisions.iter().map(|m| m.id.as_str());
     let head = ["family", "rays", "hit"].into_iter().chain(ids()).chain(["in f32", "wider", "exactly"]);
     let mut table = Table::new(1, head);
     for family in &report.families {
         let mut row = vec![Cell::from(format!("{} {}", family.number, family.name))];
         row.extend([count(family.rays), count(family.hits)].map(Cell::from));
         for id in ids() {
-            let found = family.rows.iter().find(|r| r.method == id && r.device == on);
+            let found = family.rows.iter().find(|r| r.precision == id && r.device == on);
             row.push(found.map_or_else(
                 || "–".into(),
                 |r| {
@@ -71,7 +71,7 @@ fn bits(report: &Report) -> String {
 /// A family in full, and its cases.
 pub(crate) fn family(report: &Report, family: &crate::model::Family) -> Table {
     let head = [
-        "method",
+        "precision",
         "device",
         "missed",
         "false hits",
@@ -94,7 +94,7 @@ pub(crate) fn family(report: &Report, family: &crate::model::Family) -> Table {
     let mut table = Table::new(2, head);
     for row in &family.rows {
         let e = &row.errors;
-        let mut cells = vec![row.method.clone(), device(report, row.device).to_owned()];
+        let mut cells = vec![row.precision.clone(), device(report, row.device).to_owned()];
         cells.extend([&e.misses, &e.false_hits, &e.wrong_primitive].map(rate));
         cells.push(count(e.t.n));
         cells.extend(

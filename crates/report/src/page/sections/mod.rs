@@ -38,14 +38,14 @@ pub(crate) fn labelled(report: &Report, k: usize, i: usize) -> String {
     if k == 0 { name.to_owned() } else { format!("{name} [report {}]", k + 1) }
 }
 
-/// What the methods are.
-pub(crate) fn methods(report: &Report) -> Section {
-    let mut table = Table::new(3, ["method", "on spheres", "on triangles"]);
-    for m in &report.methods {
+/// What the precisions are.
+pub(crate) fn precisions(report: &Report) -> Section {
+    let mut table = Table::new(3, ["precision", "on spheres", "on triangles"]);
+    for m in &report.precisions {
         let triangle = if m.triangle.is_empty() { "as classic" } else { &m.triangle };
         table.row([m.id.clone(), m.sphere.clone(), triangle.to_owned()]);
     }
-    Section::new("The methods", &["By the words that --precision takes."], table)
+    Section::new("The precisions", &["By the words that --precision takes."], table)
 }
 
 /// A sentence where times spread widely: the machine was busy.
@@ -64,8 +64,8 @@ fn busy(report: &Report) -> String {
     )
 }
 
-fn who(report: &Report, method: &str, i: usize) -> String {
-    format!("{method} on {}", device(report, i))
+fn who(report: &Report, precision: &str, i: usize) -> String {
+    format!("{precision} on {}", device(report, i))
 }
 
 /// What was measured, on what.
@@ -116,13 +116,13 @@ pub(crate) fn reading() -> Section {
         "Misclassified: a hit that is missed, a miss that is hit, or another primitive than the exact closest one.",
         "≤: with 95 % confidence the true share is no larger (Clopper and Pearson, one-sided); none of N means below about \
          3/N.",
-        "Of condition: the error of t over what a rounding of every input and of the result may do to it. A few: the method \
-         is as good as its input; thousands: it is the method that loses digits. Rays along the surface, which have no \
+        "Of condition: the error of t over what a rounding of every input and of the result may do to it. A few: the precision \
+         is as good as its input; thousands: it is the precision that loses digits. Rays along the surface, which have no \
          such bound, are left out.",
         "Residual: what is left of the primitive's equation at the returned t, relative to its size, evaluated in f64. Gap: \
          between e + t d and the point that u and v name, over the triangle's size.",
         "Margin: the exact distance of the ray's line from the silhouette or edge in units of 2^-24 of the largest \
-         coordinate: beyond a few, a wrong verdict is the method's.",
+         coordinate: beyond a few, a wrong verdict is the precision's.",
         "Times: medians with the 5th and 95th percentile, everything run in turn after a warm-up that compiles. By the device's own \
          clock (kernel) and from the first ray handed over to the last hit back (end to end); the CPU engine has only the latter.",
         "A case is a scene and a ray in hexadecimal floats; rayproof intersect answers it again to the bit.",

@@ -1,4 +1,4 @@
-//! The table that matters, which method to take, and the figures of the plot.
+//! The table that matters, which precision to take, and the figures of the plot.
 
 use super::{Section, device, labelled, who};
 use crate::model::{Leaks, Panel, Point, Report};
@@ -11,14 +11,14 @@ fn ordinary<'r>(report: &'r Report, primitive: &str) -> Option<&'r Panel> {
     report.panels.iter().find(|p| p.primitive == primitive)
 }
 
-fn point<'r>(panel: Option<&'r Panel>, method: &str, device: usize) -> Option<&'r Point> {
-    panel?.points.iter().find(|p| p.method == method && p.device == device)
+fn point<'r>(panel: Option<&'r Panel>, precision: &str, device: usize) -> Option<&'r Point> {
+    panel?.points.iter().find(|p| p.precision == precision && p.device == device)
 }
 
 /// The one table that matters: the devices of all reports.
 pub(crate) fn summary(reports: &[Report]) -> Section {
     let head = [
-        "method",
+        "precision",
         "device",
         "sphere: ns a test",
         "99.9 %, ULP",
@@ -36,8 +36,8 @@ pub(crate) fn summary(reports: &[Report]) -> Section {
     let mut table = Table::new(2, head);
     for (k, report) in reports.iter().enumerate() {
         for i in 0..report.devices.len() {
-            for method in &report.methods {
-                table.rows_extend(row(report, k, &method.id, i));
+            for precision in &report.precisions {
+                table.rows_extend(row(report, k, &precision.id, i));
             }
         }
     }
@@ -60,12 +60,12 @@ pub(crate) fn summary(reports: &[Report]) -> Section {
     section
 }
 
-fn row(report: &Report, k: usize, method: &str, i: usize) -> Option<Vec<String>> {
-    let points = ["sphere", "triangle"].map(|primitive| point(ordinary(report, primitive), method, i));
+fn row(report: &Report, k: usize, precision: &str, i: usize) -> Option<Vec<String>> {
+    let points = ["sphere", "triangle"].map(|primitive| point(ordinary(report, primitive), precision, i));
     if points == [None, None] {
         return None;
     }
-    let mut row = vec![method.to_owned(), labelled(report, k, i)];
+    let mut row = vec![precision.to_owned(), labelled(report, k, i)];
     for point in points {
         row.extend(point.map_or_else(
             || [(); 4].map(|()| "–".to_owned()),
@@ -76,15 +76,15 @@ fn row(report: &Report, k: usize, method: &str, i: usize) -> Option<Vec<String>>
             },
         ));
     }
-    let hard = Hard::of(report, method, i);
+    let hard = Hard::of(report, precision, i);
     row.push(format!("{} of {}", hard.wrong, hard.families));
     row.push(number(hard.worst));
-    let name = who(report, method, i);
+    let name = who(report, precision, i);
     row.extend(["vertices", "edges"].map(|target| worst_leak(&report.leaks, &name, target)));
     Some(row)
 }
 
-/// What the families say of a method on a device.
+/// What the families say of a precision on a device.
 struct Hard {
     families: usize,
     /// In which some ray was misclassified.
@@ -95,10 +95,12 @@ struct Hard {
 }
 
 impl Hard {
-    fn of(report: &Report, method: &str, device: usize) -> Self {
+    fn of(report: &Report, precision: &str, device: usize) -> Self {
         let mut hard = Self { families: 0, wrong: 0, worst: 0.0, name: String::new() };
         for family in &report.families {
-            let Some(row) = family.rows.iter().find(|r| r.method == method && r.device == device) else { continue };
+            let Some(row) = family.rows.iter().find(|r| r.precision == precision && r.device == device) else {
+                continue;
+            };
             hard.families += 1;
             hard.wrong += usize::from(row.errors.wrong.count > 0);
             if row.errors.t.max > hard.worst {
@@ -115,7 +117,7 @@ fn worst_leak(leaks: &[Leaks], who: &str, target: &str) -> String {
     worst.map_or("–".to_owned(), |leaks| share(&leaks.leaked))
 }
 
-/// Which method to take, and what exact costs on each device; ratios are medians of ratios within a round.
+/// Which precision to take, and what exact costs on each device; ratios are medians of ratios within a round.
 fn advice(report: &Report, k: usize) -> Vec<String> {
     let mut all = Vec::new();
     for i in 0..report.devices.len() {
@@ -140,7 +142,7 @@ fn advice(report: &Report, k: usize) -> Vec<String> {
             timing(&triangle.of_fast)
         ));
     }
-    let [double, fast] = ["double", "fast"].map(|method| Hard::of(report, method, 0));
+    let [double, fast] = ["double", "fast"].map(|precision| Hard::of(report, precision, 0));
     if double.families > 0 {
         all.push(format!(
             "Which to take: exact where a wrong hit costs anything. double, plain f64, looks as good on ordinary rays, yet it misclassified \
@@ -160,7 +162,7 @@ fn advice(report: &Report, k: usize) -> Vec<String> {
 pub(crate) fn points(report: &Report) -> Section {
     let head = [
         "workload",
-        "method",
+        "precision",
         "device",
         "ns a test, kernel",
         "ns a test, end to end",
@@ -179,7 +181,7 @@ pub(crate) fn points(report: &Report) -> Section {
             let e = &p.errors;
             table.row([
                 panel.workload.split(':').next().unwrap_or_default().to_owned(),
-                p.method.clone(),
+                p.precision.clone(),
                 device(report, p.device).to_owned(),
                 p.kernel_ns.as_ref().map_or("–".to_owned(), timing),
                 timing(&p.ns),

@@ -3,9 +3,9 @@
 use egui::text::LayoutJob;
 use egui::{Color32, FontId, Grid, RichText, TextFormat, Ui};
 use rayproof::Precision;
-use rayproof_oracle::worked::{Answer, COLUMNS, EXACT, Row, System, Value, Worked};
+use rayproof_oracle::worked::{COLUMNS, Conclusion, EXACT, Row, System, Value, Worked};
 
-use super::inspector::{mono, strong};
+use super::{mono, strong};
 
 /// Digits that tell an f32, and an f64, from its neighbours; and those of the exact value.
 const DIGITS: [usize; 5] = [9, 9, 9, 17, 20];
@@ -29,9 +29,9 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
         for (precision, answer) in COLUMNS.into_iter().zip(&worked.answers) {
             ui.label(precision.name());
             match answer {
-                Answer::Absent => ui.label("– (no formula of its own)"),
-                Answer::Miss(why) => ui.label(format!("miss: {why}")),
-                Answer::Hit { t, .. } => {
+                Conclusion::Absent => ui.label("– (no formula of its own)"),
+                Conclusion::Miss(why) => ui.label(format!("miss: {why}")),
+                Conclusion::Hit { t, .. } => {
                     // The exact one too is rounded in an answer: only that can be compared with the others.
                     let t = if let Value::Exact(root) = t { Value::F32(root.to_f32()) } else { t.clone() };
                     // Where there is no hit, no digit of one is right.
@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, worked: &Worked) {
 /// The exact t, rounded once.
 fn exact_t(worked: &Worked) -> Option<f32> {
     match &worked.answers[EXACT] {
-        Answer::Hit { t: Value::Exact(root), .. } => Some(root.to_f32()),
+        Conclusion::Hit { t: Value::Exact(root), .. } => Some(root.to_f32()),
         _ => None,
     }
 }

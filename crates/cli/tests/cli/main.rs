@@ -1,5 +1,5 @@
 //! The command line, as other people's scripts see it: arguments, files, streams, exit codes.
-#![expect(clippy::unwrap_used, reason = "a test")]
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "tests, which say how much they compared")]
 
 mod bad_input;
 mod check;
@@ -18,40 +18,12 @@ use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
-use std::sync::OnceLock;
 
 use tempfile::TempDir;
 
-/// The binary of this profile, built anew where it is missing or older than its sources.
-fn binary() -> &'static Path {
-    static BINARY: OnceLock<PathBuf> = OnceLock::new();
-    BINARY.get_or_init(|| {
-        let test = std::env::current_exe().unwrap();
-        let profile = test.parent().and_then(Path::parent).unwrap();
-        let binary = profile.join(format!("rayproof{}", std::env::consts::EXE_SUFFIX));
-        if stale(&binary) {
-            let profile = match profile.file_name().unwrap().to_str().unwrap() {
-                "debug" => "dev",
-                other => other,
-            };
-            let mut cargo = Command::new(env!("CARGO"));
-            cargo.args(["build", "--package", "rayproof-cli", "--profile", profile]);
-            assert!(cargo.current_dir(env!("CARGO_MANIFEST_DIR")).status().unwrap().success(), "{cargo:?}");
-        }
-        assert!(binary.is_file(), "{} is missing", binary.display());
-        binary
-    })
-}
-
-/// Whether a source that cargo lists beside the binary is newer than it.
-fn stale(binary: &Path) -> bool {
-    let modified = |path: &Path| fs::metadata(path).and_then(|file| file.modified()).ok();
-    let Ok(list) = fs::read_to_string(binary.with_extension("d")) else { return true };
-    let sources = list.split_once(": ").map_or("", |(_, sources)| sources);
-    // Spaces within a path are escaped.
-    let sources = sources.replace("\\ ", "\0");
-    let Some(built) = modified(binary) else { return true };
-    sources.split_whitespace().any(|s| modified(Path::new(&s.replace('\0', " "))).is_none_or(|time| time > built))
+/// A file that is shipped.
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data").join(name)
 }
 
 /// An empty folder to run in, so that messages name files as they were typed.
@@ -68,6 +40,15 @@ impl Folder {
         folder.write("square.obj", SQUARE);
         folder.write("scene.toml", SCENE);
         folder.write("rays.csv", RAYS);
+        folder
+    }
+
+    /// A folder with the sample scene.
+    fn with_sample() -> Self {
+        let folder = Self::new();
+        for name in ["knot.obj", "sample.toml"] {
+            folder.write(name, fs::read(shipped(name)).unwrap());
+        }
         folder
     }
 
@@ -92,7 +73,7 @@ impl Folder {
     }
 
     fn command(&self, line: &str) -> Command {
-        let mut command = Command::new(binary());
+        let mut command = Command::new(env!("CARGO_BIN_EXE_rayproof"));
         command.args(line.split_whitespace()).current_dir(self.0.path());
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command

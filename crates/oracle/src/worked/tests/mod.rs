@@ -7,7 +7,7 @@ use dashu_ratio::RBig;
 use glam::Vec3;
 use rayproof_scene::{FlatHit, Geometry, Mesh, Primitive, Ray, Scene, Sphere, Triangle};
 
-use super::{Answer, COLUMNS, Value, Worked, work};
+use super::{COLUMNS, Conclusion, Value, Worked, work};
 use crate::{Oracle, Root, families};
 
 fn sphere(center: [f32; 3], radius: f32) -> Primitive {
@@ -42,9 +42,9 @@ fn holds(worked: &Worked, expected: &[(&str, f64)]) {
 /// What each precision concludes, in words: the reason of a miss, or `t u v` to five digits.
 fn conclusions(worked: &Worked) -> [String; 5] {
     worked.answers.each_ref().map(|answer| match answer {
-        Answer::Absent => "absent".to_owned(),
-        Answer::Miss(why) => (*why).to_owned(),
-        Answer::Hit { t, u, v } => [t, u, v].map(|x| x.decimal(5)).join(" "),
+        Conclusion::Absent => "absent".to_owned(),
+        Conclusion::Miss(why) => (*why).to_owned(),
+        Conclusion::Hit { t, u, v } => [t, u, v].map(|x| x.decimal(5)).join(" "),
     })
 }
 
@@ -80,7 +80,7 @@ fn irrational_roots_are_exact() {
     assert_eq!(digits("q"), "2.7071067811865475244e0");
     assert_eq!(digits("t1"), "2.7071067811865475244e0");
     assert_eq!(digits("t2"), "1.2928932188134524756e0");
-    let Answer::Hit { t: Value::F32(t), .. } = worked.answers[3] else { panic!("a hit in f32") };
+    let Conclusion::Hit { t: Value::F32(t), .. } = worked.answers[3] else { panic!("a hit in f32") };
     assert_eq!(t, 1.292_893_2, "rounded to f32");
 }
 
@@ -108,7 +108,7 @@ fn a_far_sphere_costs_the_textbook_its_digits() {
     assert_eq!(same[0], 0, "not a digit is left");
     let errors = values(&worked, "t2").each_ref().map(|t| t.ulps_from(&values(&worked, "t2")[4]));
     println!("ULP of t2: {errors:?}");
-    let [Answer::Hit { t: Value::F32(t), .. }, Answer::Hit { t: exact, .. }] = &worked.answers[3..] else {
+    let [Conclusion::Hit { t: Value::F32(t), .. }, Conclusion::Hit { t: exact, .. }] = &worked.answers[3..] else {
         panic!("hits")
     };
     assert_eq!(Value::F32(*t).ulps_from(exact).map(|error| error <= 0.5), Some(true));
@@ -204,8 +204,8 @@ fn the_exact_column_is_the_oracles_over_all_families() {
                 let expected = Oracle::new(&alone(&primitive)).closest(ray);
                 let what = || format!("family {} ({}): {ray:?} {primitive:?}", family.number, family.name);
                 match (&worked.answers[4], expected) {
-                    (Answer::Miss(_), None) => {}
-                    (Answer::Hit { t, u, v }, Some(hit)) => {
+                    (Conclusion::Miss(_), None) => {}
+                    (Conclusion::Hit { t, u, v }, Some(hit)) => {
                         let [t, u, v] = [t, u, v].map(|x| if let Value::Exact(x) = x { x.clone() } else { panic!() });
                         assert_eq!((&t, &u, &v), (&hit.t, &Root::from(hit.u.clone()), &Root::from(hit.v.clone())));
                         let rounded = FlatHit { t: t.to_f32(), u: u.to_f32(), v: v.to_f32(), primitive: 0 };

@@ -44,17 +44,9 @@ fn compare(folder: &Folder, scene: &str, viewer: &Harness<'_, App>, options: &st
     assert_eq!(different, 0, "{scene}, {options}");
 }
 
-fn sample(folder: &Folder) {
-    for name in ["knot.obj", "sample.toml"] {
-        let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data").join(name);
-        folder.write(name, std::fs::read(data).unwrap());
-    }
-}
-
 #[test]
 fn the_viewer_draws_what_render_writes() {
-    let folder = Folder::new();
-    sample(&folder);
+    let folder = Folder::with_sample();
     for (mode, show) in
         [(Mode::Primitive, "primitive"), (Mode::Normal, "normal"), (Mode::Depth, "depth"), (Mode::Uv, "uv")]
     {
@@ -73,8 +65,7 @@ fn the_viewer_draws_what_render_writes() {
 
 #[test]
 fn a_camera_that_was_copied_draws_the_same_picture() {
-    let folder = Folder::new();
-    sample(&folder);
+    let folder = Folder::with_sample();
     let look = Look { mode: Mode::Primitive, ..Look::default() };
     let mut viewer = viewer(&DeviceChoice::Cpu, &folder.path("sample.toml"), look);
     let before = viewer.state().pixels().1;

@@ -36,7 +36,7 @@ impl fmt::Display for Answer {
 /// One ray with the exact answer and the one judged. It displays as a block of lines that gives every number as its
 /// bits and as the shortest decimal that reads back to them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Case {
+pub struct JudgedRay {
     /// The ray.
     pub ray: Ray,
     /// The exact answer, its numbers rounded to the nearest.
@@ -69,7 +69,7 @@ pub(super) fn residual(scene: &Scene, ray: &Ray, hit: &FlatHit) -> Option<f64> {
     })
 }
 
-impl fmt::Display for Case {
+impl fmt::Display for JudgedRay {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { ray, exact, answer, residual } = self;
         let show = |numbers: &[f32]| numbers.iter().map(|&x| bits(x)).collect::<Vec<_>>().join("  ");

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::Folder;
+use super::{Folder, shipped};
 
 const MAGIC: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR";
 
@@ -59,6 +59,22 @@ fn the_tier_picture_shows_what_f32_leaves_open() {
         assert!((1..=3).contains(&colors(&folder.read("tier.png"))));
     }
     folder.run("render near.toml -o none.png --show tier --precision fast").expect(2, &["--precision exact"]);
+}
+
+/// A rounding may move an edge by a pixel here and there; a scene, camera or shading that has changed moves far more.
+#[test]
+fn the_picture_in_the_readme_is_the_sample() {
+    let folder = Folder::with_sample();
+    folder.run("render sample.toml -o drawn.png --device cpu").expect(0, &[]);
+    let [drawn, shown] =
+        [folder.path("drawn.png"), shipped("sample.png")].map(|path| image::open(path).unwrap().to_rgb8());
+    assert_eq!(drawn.dimensions(), shown.dimensions());
+    let different = drawn.pixels().zip(shown.pixels()).filter(|(a, b)| a != b).count();
+    println!("{different} of {} pixels differ", drawn.pixels().len());
+    assert!(
+        different * 1000 <= drawn.pixels().len(),
+        "{different} pixels differ: `rayproof render tests/data/sample.toml -o tests/data/sample.png`, and look at it"
+    );
 }
 
 /// How many colours a picture has.

@@ -7,11 +7,12 @@ use glam::Vec3;
 use rayproof::Precision;
 use rayproof::scene::{FlatHit, Ray};
 
+use crate::act::Act;
 use crate::model::look::Look;
 use crate::model::paint::Figures;
 use crate::model::task::{Task, take};
 use crate::model::tracer::Tracer;
-use crate::model::view::Picture;
+use crate::model::view::{Picture, Progress};
 use crate::model::world::World;
 
 /// The textures of the picture, and what is looked up in the scene under the pointer.
@@ -20,20 +21,29 @@ pub(crate) struct Canvas {
     textures: [Option<TextureHandle>; 2],
     /// The version of the picture that the textures hold.
     version: u64,
+    /// The size that was asked for; without one it is that of the picture's place in the window.
+    pub(super) asked: Option<[u32; 2]>,
     pub(crate) size: [u32; 2],
     /// How the picture is shown, which may not yet be how it is wanted.
     pub(crate) look: Look,
     /// About each side of the picture, when it is whole.
     pub(crate) figures: [Option<Figures>; 2],
+    pub(crate) progress: Progress,
     /// Whether the pointer drags the split.
-    pub(crate) splitting: bool,
+    pub(super) splitting: bool,
     focusing: Option<Task<Option<Vec3>>>,
 }
 
 impl Canvas {
+    /// A canvas without a picture yet; of a size, where one is asked for.
+    pub(crate) fn new(asked: Option<[u32; 2]>) -> Self {
+        Self { asked, ..Self::default() }
+    }
+
     /// Takes the newest picture to the device that paints the window.
     pub(crate) fn upload(&mut self, context: &egui::Context, tracer: &Tracer) {
         let picture = tracer.picture();
+        self.progress.clone_from(&picture.progress);
         if picture.version == self.version {
             return;
         }
@@ -60,7 +70,7 @@ impl Canvas {
     }
 
     /// Paints the picture into a rectangle, the second side right of the split.
-    pub(crate) fn paint(&self, painter: &egui::Painter, rect: Rect, split_at: f32) {
+    pub(super) fn paint(&self, painter: &egui::Painter, rect: Rect, split_at: f32) {
         let [Some(left), right] = &self.textures else { return };
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         painter.image(left.id(), rect, whole, Color32::WHITE);
@@ -73,7 +83,7 @@ impl Canvas {
     }
 
     /// Looks for the point of the scene that a ray hits, to look at it.
-    pub(crate) fn focus(&mut self, context: &egui::Context, world: &Arc<World>, ray: Ray) {
+    pub(super) fn focus(&mut self, context: &egui::Context, world: &Arc<World>, ray: Ray) {
         let world = world.clone();
         self.focusing = Some(Task::start(context, move || {
             let mut hit = [FlatHit::MISS];
@@ -82,9 +92,9 @@ impl Canvas {
         }));
     }
 
-    /// The point to look at, when it is found.
-    pub(crate) fn focused(&mut self) -> Option<Vec3> {
-        take(&mut self.focusing)?.ok().flatten()
+    /// Looks at the point when it is found.
+    pub(crate) fn collect(&mut self) -> Option<Act> {
+        take(&mut self.focusing)?.ok().flatten().map(Act::LookAt)
     }
 }
 
@@ -95,7 +105,7 @@ pub(crate) fn split_column(at: f32, width: u32) -> u32 {
 }
 
 /// The largest rectangle of the picture's shape in a place; without a shape the place itself. In whole pixels of the screen.
-pub(crate) fn fit(place: Rect, size: Option<[u32; 2]>, pixels_per_point: f32) -> Rect {
+pub(super) fn fit(place: Rect, size: Option<[u32; 2]>, pixels_per_point: f32) -> Rect {
     let snap = |x: f32| (x * pixels_per_point).round() / pixels_per_point;
     let whole = match size {
         None => place.size(),
@@ -112,7 +122,7 @@ pub(crate) fn fit(place: Rect, size: Option<[u32; 2]>, pixels_per_point: f32) ->
 
 /// The pixel of the picture under a point of the screen.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-pub(crate) fn pixel(rect: Rect, size: [u32; 2], at: egui::Pos2) -> [u32; 2] {
+pub(super) fn pixel(rect: Rect, size: [u32; 2], at: egui::Pos2) -> [u32; 2] {
     let share = (at - rect.min) / rect.size();
     let pixel = |share: f32, side: u32| ((share * side as f32).floor().max(0.0) as u32).min(side.saturating_sub(1));
     [pixel(share.x, size[0]), pixel(share.y, size[1])]
