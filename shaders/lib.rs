@@ -3,6 +3,7 @@
 //! Declarations at module scope come in any order, so joining files is linking: a precision, a query and the kinds of primitive
 //! in a scene are each a choice of files that define the same functions. The host (`rayproof-gpu`) chooses; nothing here knows
 //! of it, but for what a header says comes from the host.
+#![doc = include_str!("README.md")]
 
 /// The files by their paths, in alphabetical order.
 macro_rules! files {

@@ -19,6 +19,8 @@
 //! assert_eq!(hits[0].t, 2.0);
 //! # Ok::<(), rayproof_tree::TooLarge>(())
 //! ```
+//!
+#![doc = include_str!("../README.md")]
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 
 mod claims;

@@ -2,6 +2,8 @@
 //! ([`HitWriter`]).
 //!
 //! What is wrong in a file is an [`Error`] that says what, where and what would be right.
+//!
+#![doc = include_str!("../README.md")]
 
 mod error;
 pub mod replay;

@@ -6,6 +6,8 @@
 //! wgpu lets a driver rewrite `f32` arithmetic. So kernels go around its compiler: naga writes SPIR-V, every float
 //! operation in it is decorated `NoContraction` and the float-control modes that the device has are asked for, and the
 //! module is passed through. Where passthrough is missing plain WGSL runs, and the fingerprint tells what that did.
+//!
+#![doc = include_str!("../README.md")]
 
 mod adapter;
 mod batch;

@@ -22,6 +22,8 @@
 //! assert!(matches!(judge_closest(&oracle, &ray, &hit), Verdict::Exact(_)));
 //! assert!(matches!(judge_closest(&oracle, &ray, &FlatHit::MISS), Verdict::Disagrees(..)));
 //! ```
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod families;
 mod filter;

@@ -11,6 +11,8 @@
 //! assert_eq!(shade::by_uv(&hit), [0, 0, 255]);
 //! assert_eq!(shade::by_uv(&FlatHit::MISS), color::BACKGROUND);
 //! ```
+//!
+#![doc = include_str!("../README.md")]
 
 pub mod color;
 #[cfg(test)]

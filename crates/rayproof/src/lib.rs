@@ -25,6 +25,8 @@
 //!
 //! What a hit is: the smallest `t` with `t_min <= t <= t_max`, both ends included; triangles are closed and two-sided;
 //! both roots of a sphere count; among equal `t` the lowest number wins.
+//!
+#![doc = include_str!("../README.md")]
 
 mod admit;
 mod choice;

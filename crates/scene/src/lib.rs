@@ -20,6 +20,8 @@
 //! let ray = Ray::new(Vec3::new(0.25, 0.5, 2.0), -Vec3::Z);
 //! assert_eq!(ray.at(2.0), triangle.point(0.25, 0.5));
 //! ```
+//!
+#![doc = include_str!("../README.md")]
 
 pub use glam;
 

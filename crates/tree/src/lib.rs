@@ -6,6 +6,8 @@
 //! * A node stores its children's boxes as bytes on a grid `origin + q step`, `step` a power of two and `origin` a
 //!   multiple of it no larger than `2^24 step`, so decoding is exact in `f32`: nothing but the slab test can round, and
 //!   `shaders/bvh/slab.wgsl` derives the pad that covers it.
+//!
+#![doc = include_str!("../README.md")]
 
 mod build;
 mod bvh;

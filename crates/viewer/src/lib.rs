@@ -6,6 +6,8 @@
 //!
 //! A panel owns its state, is shown what it reads, and returns what it wants done: an `Act`. Keys, scripts and work that was done
 //! beside the window return the same, and `App` does it, in one place.
+//!
+#![doc = include_str!("../README.md")]
 
 mod act;
 mod app;
