@@ -26,7 +26,7 @@ pub(crate) fn draw(picture: &mut Picture) {
     for (label, x) in DECADES.iter().zip((left..).step_by(STEP as usize)) {
         fill(picture, (x, top + 14), (1, 4), TEXT);
         // Centred on its tick.
-        let half = u32::try_from(label.len()).unwrap_or(0) * 4;
+        let half = u32::try_from(label.len()).expect("a label is short") * 4;
         text(picture, (x - half, top + 20), label);
     }
     text(picture, (left + 7 * STEP + 22, top + 20), "ULP");

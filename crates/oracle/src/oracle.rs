@@ -177,7 +177,7 @@ impl<'s> Oracle<'s> {
         let (line, filter) = (Line::new(ray), self.filter.then(|| Filter::new(ray)));
         for (index, geometry) in self.scene.geometries().iter().enumerate() {
             let start = self.scene.start(index);
-            let flat = |i: usize| u32::try_from(start + i).unwrap_or(rayproof_scene::MISS);
+            let flat = |i: usize| u32::try_from(start + i).expect("brute force asks no 2^32 primitives");
             match geometry {
                 Geometry::Mesh(mesh) => {
                     for i in mesh_candidates(mesh, filter.as_ref()) {

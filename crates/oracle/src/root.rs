@@ -78,7 +78,7 @@ impl Root {
         // In whole numbers it is (m + s sqrt(w)) / n, and floor((m + z) / n) = floor((m + floor(z)) / n) for any real z.
         let (p, d) = (&self.rational, &self.radicand);
         let n = p.denominator() * d.denominator();
-        let w = UBig::try_from(d.numerator().clone()).unwrap_or(UBig::ZERO) * &n * p.denominator();
+        let w = UBig::try_from(d.numerator().clone()).expect("it is not negative") * &n * p.denominator();
         let below = w.sqrt();
         let root = match self.sign {
             Sign::Positive => IBig::from(below),
@@ -206,5 +206,5 @@ fn magnitude_to_f32(x: &Root) -> f32 {
 /// The midpoint of the numbers with bits `k` and `k + 1`, where infinity stands for 2^128. Exact: `f64` has the bits.
 fn upper_midpoint(k: u32) -> RBig {
     let value = |k: u32| if k == INFINITE { 2.0_f64.powi(128) } else { f64::from(f32::from_bits(k)) };
-    RBig::try_from(0.5 * (value(k) + value(k + 1))).unwrap_or(RBig::ZERO)
+    RBig::try_from(0.5 * (value(k) + value(k + 1))).expect("two finite numbers are far from overflow")
 }

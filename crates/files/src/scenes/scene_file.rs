@@ -132,7 +132,7 @@ fn triangles_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Mesh, Err
         };
         let corners = [Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)];
         corners.into_iter().for_each(|corner| faults.vertex(place, corner));
-        let first = u32::try_from(mesh.vertices.len()).unwrap_or(u32::MAX - 2);
+        let first = u32::try_from(mesh.vertices.len()).expect("no text of 2^32 vertices fits into memory");
         mesh.vertices.extend(corners);
         mesh.triangles.push([first, first + 1, first + 2]);
     }

@@ -62,7 +62,7 @@ impl Header {
             2 | 3 => {
                 let mut length = [0; 4];
                 input.read_exact(&mut length)?;
-                (4, usize::try_from(u32::from_le_bytes(length)).unwrap_or(usize::MAX))
+                (4, usize::try_from(u32::from_le_bytes(length)).expect("32 bits"))
             }
             _ => return Err(HeaderError::Bad(format!("the .npy version {major}.{minor} is not known"))),
         };
@@ -144,7 +144,7 @@ pub(crate) fn header(descr: &str, shape: impl Fn(u64) -> String, rows: u64) -> V
         |rows| format!("{{'descr': {descr}, 'fortran_order': False, 'shape': {}, }}", shape(rows)).into_bytes();
     // Magic, version, length and the closing newline are 11 bytes; the data starts at a multiple of 64.
     let whole = (dictionary(u64::MAX).len() + 11).next_multiple_of(64);
-    let length = u16::try_from(whole - 10).unwrap_or(u16::MAX);
+    let length = u16::try_from(whole - 10).expect("a header of ours is short");
     let mut bytes = [&MAGIC[..], &[1, 0], &length.to_le_bytes(), &dictionary(rows)].concat();
     bytes.resize(whole - 1, b' ');
     bytes.push(b'\n');

@@ -202,7 +202,7 @@ pub fn grid(n: u32) -> Mesh {
 
 /// A position in a mesh's vertices as the mesh stores it; these meshes are far below 2^32 vertices.
 fn index(i: usize) -> u32 {
-    u32::try_from(i).unwrap_or(u32::MAX)
+    u32::try_from(i).expect("meshes of families are small")
 }
 
 #[cfg(test)]

@@ -36,13 +36,13 @@ impl From<f64> for Expansion {
             return Self { parts: Vec::new(), unit: HIGHEST, top: LOWEST, sound: true };
         }
         let bits = x.to_bits();
-        let field = i32::try_from(bits >> 52 & 0x7ff).unwrap_or(0);
+        let field = i32::try_from(bits >> 52 & 0x7ff).expect("11 bits");
         let (mantissa, exponent) = match field {
             0 => (bits << 12 >> 12, LOWEST),
             _ => (bits << 12 >> 12 | 1 << 52, field - 1075),
         };
         let (low, length) = (mantissa.trailing_zeros(), 64 - mantissa.leading_zeros());
-        let [low, length] = [low, length].map(|n| i32::try_from(n).unwrap_or(0));
+        let [low, length] = [low, length].map(|n| i32::try_from(n).expect("at most 64"));
         Self { parts: vec![x], unit: exponent + low, top: exponent + length, sound: x.is_finite() }
     }
 }

@@ -66,7 +66,7 @@ impl<'s> SecondOracle<'s> {
         if ray.fault().is_none() {
             let line = Line::new(ray);
             for flat in 0..self.scene.len() {
-                let number = u32::try_from(flat).unwrap_or(rayproof_scene::MISS);
+                let number = u32::try_from(flat).expect("brute force asks no 2^32 primitives");
                 match self.scene.primitive(flat) {
                     Primitive::Triangle(triangle) if !reject::misses_triangle(ray, &triangle) => {
                         let Some(plane) = PlaneHit::new(&line, &triangle)? else { continue };
