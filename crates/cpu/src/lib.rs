@@ -21,6 +21,7 @@
 //! ```
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 
+#[cfg(feature = "measure")]
 mod claims;
 mod engine;
 mod exact;
