@@ -3,7 +3,7 @@
 use rayproof::Precision;
 use rayproof::scene::{FlatHit, Ray, Scene};
 use rayproof_cpu::Engine as Twin;
-use rayproof_gpu::{Engine as Kernel, Fingerprint, Gpu, Route};
+use rayproof_gpu::{Engine as Kernel, Gpu, Route};
 use rayproof_oracle::families::{self, Case};
 use rayproof_oracle::judge::{compare_bits, ulp_distance};
 use rayproof_tree::{Bvh, Scaling};
@@ -15,7 +15,7 @@ const RAYS_PER_FAMILY: usize = 20_000;
 
 /// The precisions that promise the CPU's bits on the device: all where it is IEEE, else `exact`.
 fn precisions() -> impl Iterator<Item = Precision> {
-    let is_ieee = gpu().fingerprint().is_some_and(Fingerprint::is_ieee);
+    let is_ieee = gpu().fingerprint().is_ieee();
     Precision::ALL.into_iter().filter(move |precision| is_ieee || *precision == Precision::Exact)
 }
 
@@ -44,7 +44,7 @@ struct Pair {
 impl Pair {
     fn new(gpu: std::sync::Arc<Gpu>, scene: &Scene, precision: Precision) -> Self {
         let bvh = Bvh::new(scene, Scaling::of(precision)).expect("small");
-        let is_ieee = gpu.fingerprint().is_some_and(Fingerprint::is_ieee);
+        let is_ieee = gpu.fingerprint().is_ieee();
         let kernel = (precision != Precision::Exact || bvh.plain)
             .then(|| Kernel::new(gpu, &bvh, precision).expect("the scene fits the device"));
         Self { kernel, twin: Twin::new(bvh, precision), precision, is_ieee }
@@ -103,11 +103,11 @@ impl Pair {
 #[test]
 fn arithmetic_is_kept_through_spirv_and_not_through_wgsl() {
     let gpu = gpu();
-    let exact = Fingerprint::measure(&gpu, Route::ExactSpirv).expect("measured");
+    let exact = gpu.fingerprint_on(Route::ExactSpirv).expect("measured");
     println!("{exact}");
     // Sums, products and what they lose are what `exact` stands on; roots and comparisons may be off (NVIDIA's are).
     assert!(exact.keeps_errors() && exact.sum_wrong + exact.product_wrong + exact.contracted == 0, "{exact}");
-    let plain = Fingerprint::measure(&gpu, Route::PlainWgsl).expect("measured");
+    let plain = gpu.fingerprint_on(Route::PlainWgsl).expect("measured");
     println!("{plain}");
     if gpu.name().contains("llvmpipe") {
         // What the route is for: if this turns green, drivers have changed and the route can go.

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use rayproof::scene::Scene;
-use rayproof::{AdapterReport, DeviceChoice, DeviceInfo, Fingerprint, Intersector, Options, adapters};
+use rayproof::{AdapterReport, DeviceChoice, DeviceError, DeviceInfo, Fingerprint, Intersector, Options, adapters};
 use serde::Serialize;
 
 use crate::args::Devices;
@@ -16,6 +16,9 @@ struct Listing {
     auto: String,
     cpu: Named,
     adapters: Vec<Adapter>,
+    /// Why the adapters could not be listed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -74,10 +77,15 @@ pub(crate) fn run(args: &Devices) -> Result<(), Failure> {
     if !args.json {
         return print(text(&auto, &cpu, &adapters).trim_end());
     }
+    let (adapters, error) = match adapters {
+        Ok(adapters) => (adapters, None),
+        Err(error) => (Vec::new(), Some(error.to_string())),
+    };
     let listing = Listing {
         auto: auto.name,
         cpu: Named { name: cpu.name, driver: cpu.driver },
         adapters: adapters.into_iter().map(adapter).collect(),
+        error,
     };
     print(&serde_json::to_string(&listing).map_err(|e| Failure::new(Code::Running, e.to_string()))?)
 }
@@ -88,16 +96,20 @@ fn info(device: DeviceChoice) -> Result<DeviceInfo, Failure> {
     Ok(Intersector::new(&Scene::default(), &options)?.device().clone())
 }
 
-fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &[AdapterReport]) -> String {
+fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &Result<Vec<AdapterReport>, DeviceError>) -> String {
     let mut text = format!("auto     {}", auto.name);
     for note in &auto.notes {
         let _ = write!(text, "; {note}");
     }
     let _ = writeln!(text, "\ncpu      {}; {}", cpu.name, cpu.driver);
-    if adapters.is_empty() {
-        text += "no Vulkan adapter was found: install a Vulkan driver (Mesa's llvmpipe runs on any CPU)\n";
-    }
-    for a in adapters {
+    let _ = match adapters {
+        Ok(adapters) if adapters.is_empty() => {
+            writeln!(text, "no Vulkan adapter was found: install a Vulkan driver (Mesa's llvmpipe runs on any CPU)")
+        }
+        Ok(_) => Ok(()),
+        Err(error) => writeln!(text, "the Vulkan adapters cannot be listed: {error}"),
+    };
+    for a in adapters.iter().flatten() {
         let bus = if a.pci_bus.is_empty() { String::new() } else { format!("; pci:{}", a.pci_bus) };
         let _ = writeln!(text, "index:{}  {}; {}; {}; Vulkan{bus}", a.index, a.name, a.kind, a.driver);
         let _ = writeln!(text, "         largest binding {} MiB", a.max_binding >> 20);
@@ -127,9 +139,13 @@ fn adapter(report: AdapterReport) -> Adapter {
         kind: report.kind,
         pci_bus: Some(report.pci_bus).filter(|bus| !bus.is_empty()),
         max_binding_bytes: report.max_binding,
-        fingerprints: fingerprints.map(|f| f.map_or_else(|error| Arithmetic::Failed { error }, arithmetic)).collect(),
+        fingerprints: fingerprints.map(|f| f.map_or_else(failed, arithmetic)).collect(),
         exact: report.second_stage.map(|second| second.to_string()),
     }
+}
+
+fn failed(error: DeviceError) -> Arithmetic {
+    Arithmetic::Failed { error: error.to_string() }
 }
 
 fn arithmetic(f: Fingerprint) -> Arithmetic {

@@ -4,8 +4,8 @@ use std::fmt;
 use std::io::Write as _;
 use std::process::ExitCode;
 
-use rayproof::files;
 use rayproof::stream::ShardError;
+use rayproof::{DeviceError, files};
 
 /// The exit codes that scripts rely on; 0 is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +55,7 @@ impl From<files::Error> for Failure {
     fn from(error: files::Error) -> Self {
         let code = match &error {
             files::Error::Bad(_) | files::Error::Open { .. } => Code::BadInput,
-            files::Error::Io { .. } => Code::Running,
+            _ => Code::Running,
         };
         Self::new(code, error.to_string())
     }
@@ -74,7 +74,7 @@ impl From<rayproof_report::measure::Error> for Failure {
     fn from(error: rayproof_report::measure::Error) -> Self {
         match error {
             rayproof_report::measure::Error::Engine(error) => error.into(),
-            rayproof_report::measure::Error::Peer(why) => Self::new(Code::Running, why),
+            other => Self::new(Code::Running, other.to_string()),
         }
     }
 }
@@ -82,10 +82,10 @@ impl From<rayproof_report::measure::Error> for Failure {
 impl From<rayproof::Error> for Failure {
     fn from(error: rayproof::Error) -> Self {
         let code = match &error {
-            rayproof::Error::NoDevice(_) => Code::NoDevice,
+            rayproof::Error::Device(DeviceError::NoAdapter { .. }) => Code::NoDevice,
             rayproof::Error::NotExact | rayproof::Error::OnDevice => Code::Usage,
             rayproof::Error::InvalidRay { .. } => Code::BadInput,
-            rayproof::Error::Device(_) | rayproof::Error::TooLarge(_) => Code::Running,
+            _ => Code::Running,
         };
         Self::new(code, error.to_string())
     }
@@ -113,11 +113,15 @@ mod tests {
     fn every_kind_of_error_has_the_code_of_the_contract() {
         let io = || std::io::Error::from(std::io::ErrorKind::NotFound);
         let path = || std::path::PathBuf::from("x");
+        let device = rayproof::Error::Device;
         let cases = [
             (Failure::from(files::Error::bad("x", "row 1", "is bad", "make it good")), 5),
             (Failure::from(files::Error::Open { path: path(), source: io() }), 5),
             (Failure::from(files::Error::Io { path: path(), source: io() }), 1),
-            (Failure::from(rayproof::Error::NoDevice("none".into())), 4),
+            (Failure::from(device(DeviceError::NoAdapter { wanted: "a GPU".into(), there: "none".into() })), 4),
+            (Failure::from(device(DeviceError::Unsupported { what: "no f64".into() })), 1),
+            (Failure::from(device(DeviceError::Lost { why: "unplugged".into() })), 1),
+            (Failure::from(device(DeviceError::OutOfMemory { what: "hits".into() })), 1),
             (Failure::from(rayproof::Error::TooLarge(rayproof::TooLarge { primitives: 1 })), 1),
             (Failure::new(Code::Usage, "no"), 2),
             (Failure::new(Code::Disagreed, "no"), 3),

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use rayproof_scene::{FlatHit, Kind, MISS, Precision, Ray, Undecided};
 use rayproof_tree::{Bvh, LEAF, Scaling};
 
+#[cfg(feature = "measure")]
 use crate::claims::Claims;
 use crate::formulas::{Classic, Double, Fast, Formulas, Pair, Textbook};
 use crate::primitives::Primitives;
@@ -84,6 +85,7 @@ impl Engine {
     }
 
     /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
+    #[cfg(feature = "measure")]
     #[must_use]
     pub fn without_tree(self) -> Self {
         let words = self.nodes.iter().flat_map(UnpackedNode::children).filter(|&word| word != MISS && word >= LEAF);
@@ -140,6 +142,7 @@ impl Engine {
     ///
     /// # Panics
     /// When `rays` and `claims` differ in length.
+    #[cfg(feature = "measure")]
     pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) {
         by_formulas!(self.precision, F => self.claims_by::<F>(rays, claims));
     }
@@ -246,6 +249,7 @@ impl Engine {
         )
     }
 
+    #[cfg(feature = "measure")]
     fn claims_by<F: Formulas>(&self, rays: &[Ray], claims: &mut [u32]) {
         let Primitives { leaves, spheres, .. } = &*self.primitives;
         let count = |ray: &Ray, stack: &mut Stack, _: &mut Path| {

@@ -23,6 +23,7 @@
 #![doc = include_str!("../README.md")]
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 
+#[cfg(feature = "measure")]
 mod claims;
 mod engine;
 mod exact;

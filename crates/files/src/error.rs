@@ -1,3 +1,4 @@
+use std::fmt;
 use std::path::PathBuf;
 
 /// Input that cannot be answered: it says what is wrong, where, and what would be right.
@@ -26,13 +27,12 @@ impl BadInput {
 }
 
 /// Why a file could not be read or written.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
+#[non_exhaustive]
 pub enum Error {
     /// The content is bad: exit code 5.
-    #[error(transparent)]
-    Bad(#[from] Box<BadInput>),
+    Bad(Box<BadInput>),
     /// The input could not be opened: exit code 5.
-    #[error("{}: cannot be opened: {source}; give a file that exists and can be read", path.display())]
     Open {
         /// The file.
         path: PathBuf,
@@ -40,13 +40,33 @@ pub enum Error {
         source: std::io::Error,
     },
     /// Reading or writing failed under way: exit code 1.
-    #[error("{}: {source}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// What the system said.
         source: std::io::Error,
     },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Bad(bad) => write!(f, "{bad}"),
+            Self::Open { path, source } => {
+                write!(f, "{}: cannot be opened: {source}; give a file that exists and can be read", path.display())
+            }
+            Self::Io { path, source } => write!(f, "{}: {source}", path.display()),
+        }
+    }
+}
+
+/// Without a source: what the system said is in the text, and a chain of causes would say it twice.
+impl std::error::Error for Error {}
+
+impl From<Box<BadInput>> for Error {
+    fn from(bad: Box<BadInput>) -> Self {
+        Self::Bad(bad)
+    }
 }
 
 impl Error {

@@ -1,64 +1,48 @@
-//! The adapters there are, in a fixed order, and what each one is.
+//! The adapters there are, in a fixed order, and the choice of one.
 
 use crate::Error;
-use crate::fingerprint::{Fingerprint, Route};
-use crate::gpu::{Gpu, Selector, instance};
-use crate::second_stage::SecondStage;
+use crate::guard::{caught, room_for_a_driver};
 
-/// One line of `rayproof devices`.
-#[derive(Clone, Debug)]
-pub struct AdapterReport {
-    /// Its number, for `index:N`.
-    pub index: usize,
-    /// Its name, for `name:S`.
-    pub name: String,
-    /// The driver and its version.
-    pub driver: String,
-    /// `discrete GPU`, `integrated GPU`, `virtual GPU`, `software (CPU)` or `other`.
-    pub kind: &'static str,
-    /// The PCI bus, for `pci:BUS`; empty where it has none.
-    pub pci_bus: String,
-    /// The largest storage binding, in bytes.
-    pub max_binding: u64,
-    /// The arithmetic as kernels run it, and as plain WGSL, or why it could not be measured.
-    pub fingerprints: Vec<Result<Fingerprint, String>>,
-    /// The numbers that the precision `exact` computes with after its first pass; none where it does not run, or the device failed.
-    pub second_stage: Option<SecondStage>,
+/// Which adapter to open.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Selector {
+    /// A hardware GPU, a discrete one first; never a software adapter.
+    Hardware,
+    /// The best there is, a software adapter last.
+    Best,
+    /// The one of that number in the list.
+    Index(usize),
+    /// The first whose name holds that text, letter case aside.
+    Name(String),
+    /// The one on that PCI bus.
+    Pci(String),
 }
 
-/// All Vulkan adapters, each opened and its arithmetic measured on every route it has.
-#[must_use]
-pub fn adapters() -> Vec<AdapterReport> {
-    let instance = instance();
-    let found = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN));
-    found.iter().enumerate().map(|(index, adapter)| report(index, adapter)).collect()
+/// The Vulkan adapters of this machine.
+pub(crate) struct Adapters {
+    pub(crate) instance: wgpu::Instance,
+    pub(crate) all: Vec<wgpu::Adapter>,
 }
 
-fn report(index: usize, adapter: &wgpu::Adapter) -> AdapterReport {
-    let info = adapter.get_info();
-    let gpu = Gpu::open(&Selector::Index(index));
-    let second_stage = gpu.as_ref().ok().and_then(|gpu| gpu.second_stage().ok().flatten());
-    let fingerprints = match gpu {
-        Err(e) => vec![Err(e.to_string())],
-        Ok(gpu) => Route::TAKEN
-            .into_iter()
-            .filter(|route| *route != Route::ExactSpirv || gpu.route() == Route::ExactSpirv)
-            .map(|route| match gpu.fingerprint() {
-                // Opening measured the route that kernels take.
-                Some(known) if known.route == route => Ok(*known),
-                _ => Fingerprint::measure(&gpu, route).map_err(|e| e.to_string()),
-            })
-            .collect(),
-    };
-    AdapterReport {
-        index,
-        driver: driver(&info),
-        kind: kind(&info),
-        pci_bus: info.device_pci_bus_id.clone(),
-        name: info.name,
-        max_binding: adapter.limits().max_storage_buffer_binding_size,
-        fingerprints,
-        second_stage,
+impl Adapters {
+    /// Loads the drivers and asks them.
+    pub(crate) fn list() -> Result<Self, Error> {
+        room_for_a_driver()?;
+        caught(|| {
+            let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+            descriptor.backends = wgpu::Backends::VULKAN;
+            // Validation layers cost what they find; WGPU_VALIDATION and friends still ask for them.
+            descriptor.flags = wgpu::InstanceFlags::empty().with_env();
+            let instance = wgpu::Instance::new(descriptor);
+            let all = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::VULKAN));
+            Self { instance, all }
+        })
+    }
+
+    /// The adapter that was asked for.
+    pub(crate) fn choose(&self, selector: &Selector) -> Result<&wgpu::Adapter, Error> {
+        let infos: Vec<wgpu::AdapterInfo> = self.all.iter().map(wgpu::Adapter::get_info).collect();
+        Ok(&self.all[choose(&infos, selector)?])
     }
 }
 
@@ -67,7 +51,8 @@ pub(crate) fn driver(info: &wgpu::AdapterInfo) -> String {
     format!("{} {}", info.driver, info.driver_info).trim().to_owned()
 }
 
-fn kind(info: &wgpu::AdapterInfo) -> &'static str {
+/// What kind of thing it is, for people.
+pub(crate) fn kind(info: &wgpu::AdapterInfo) -> &'static str {
     match info.device_type {
         wgpu::DeviceType::DiscreteGpu => "discrete GPU",
         wgpu::DeviceType::IntegratedGpu => "integrated GPU",
@@ -77,8 +62,7 @@ fn kind(info: &wgpu::AdapterInfo) -> &'static str {
     }
 }
 
-/// The adapter that was asked for.
-pub(crate) fn choose(infos: &[wgpu::AdapterInfo], selector: &Selector) -> Result<usize, Error> {
+fn choose(infos: &[wgpu::AdapterInfo], selector: &Selector) -> Result<usize, Error> {
     use wgpu::DeviceType::{Cpu, DiscreteGpu, IntegratedGpu, Other, VirtualGpu};
     let holds = |name: &str, part: &str| name.to_lowercase().contains(&part.to_lowercase());
     let wanted_name = std::env::var("WGPU_ADAPTER_NAME").ok().filter(|name| !name.is_empty());

@@ -7,12 +7,13 @@ use bytemuck::{Pod, Zeroable};
 use rayproof_scene::Ray;
 
 use crate::Error;
+use crate::compute::WORKGROUP;
+use crate::context::Context;
+use crate::dump;
 use crate::engine::OnDevice;
+use crate::error::causes;
 use crate::gpu::Gpu;
 use crate::kernel::{Kernel, Pass, Query, Walk};
-
-/// Threads of a workgroup; `WORKGROUP_SIZE` in `shaders/batch.wgsl`.
-const WORKGROUP: u32 = 64;
 
 /// Chunks in flight: one uploading, one at work, one coming back.
 const SLOTS: usize = 3;
@@ -84,25 +85,26 @@ struct Flight {
 
 impl Stream {
     pub(crate) fn new(gpu: &Gpu, scene: &OnDevice, query: Query, passes: &[Pass]) -> Result<Self, Error> {
-        let layout = gpu.layout(u32::try_from(scene.buffers.len()).unwrap_or(u32::MAX));
+        let layout = gpu.context.layout(u32::try_from(scene.buffers.len()).expect("no more than a kernel can bind"));
         let compile = |&pass: &Pass| -> Result<_, Error> {
             let kernel = Kernel { pass, query, kinds: scene.kinds, walk: scene.walk };
             let host = match scene.walk {
                 Walk::Tree => scene.accessors.clone(),
                 Walk::Every => format!("{}const NODE_COUNT: u32 = {}u;\n", scene.accessors, scene.nodes),
             };
-            Ok((gpu.pipeline(&kernel.link(&host), kernel.entry(), &layout, gpu.route())?, pass))
+            let names = [kernel.entry(), &dump::name(&kernel)];
+            Ok((gpu.pipeline(&kernel.link(&host), names, &layout)?, pass))
         };
         let passes = passes.iter().map(compile).collect::<Result<Vec<_>, Error>>()?;
-        let widest = gpu.limits().max_compute_workgroups_per_dimension;
-        let most = usize::try_from(gpu.max_binding() / size_of::<Ray>() as u64).unwrap_or(usize::MAX);
-        let most = LARGEST_CHUNK.min(most).max(1);
+        let widest = gpu.context.limits.max_compute_workgroups_per_dimension;
+        let most = (LARGEST_CHUNK as u64).min(gpu.context.max_binding / size_of::<Ray>() as u64).max(1);
+        let most = usize::try_from(most).expect("no more than LARGEST_CHUNK");
         let (slots, chunk) = (Vec::new(), FIRST_CHUNK.min(most));
         Ok(Self { passes, layout, slots, query, most, capacity: 0, chunk, widest })
     }
 
     /// Makes room for chunks of a batch of `rays`.
-    fn reserve(&mut self, gpu: &Gpu, scene: &OnDevice, rays: usize) -> Result<(), Error> {
+    fn reserve(&mut self, context: &Context, scene: &OnDevice, rays: usize) -> Result<(), Error> {
         use wgpu::BufferUsages as Usage;
         let wanted = rays.checked_next_power_of_two().unwrap_or(self.most).min(self.most);
         if wanted <= self.capacity {
@@ -111,20 +113,18 @@ impl Stream {
         let (rays, hits) = ((wanted * size_of::<Ray>()) as u64, wanted as u64 * self.query.answer_size());
         // Two lists of ray numbers, where there is a second pass to leave rays to.
         let lists = if self.passes.len() > 1 { wanted as u64 * 8 } else { 0 };
-        self.slots = (0..SLOTS)
-            .map(|_| {
-                let params = gpu.buffer("params", size_of::<Params>() as u64, Usage::UNIFORM | Usage::COPY_DST);
-                let rays = gpu.buffer("rays", rays, Usage::STORAGE | Usage::COPY_DST);
-                let readback = gpu.buffer("readback", hits + TAIL, Usage::MAP_READ | Usage::COPY_DST);
-                let hits = gpu.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
-                let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
-                let list = gpu.buffer("list", (COUNTERS + lists).max(16), usage);
-                let buffers = [&params, &rays, &hits, &list].into_iter().chain(&scene.buffers);
-                let bindings = gpu.bind(&self.layout, buffers);
-                Slot { params, rays, hits, list, readback, clock: gpu.clock(), bindings }
-            })
-            .collect();
-        gpu.check()?;
+        let slot = || {
+            let params = context.buffer("params", size_of::<Params>() as u64, Usage::UNIFORM | Usage::COPY_DST);
+            let rays = context.buffer("rays", rays, Usage::STORAGE | Usage::COPY_DST);
+            let readback = context.buffer("readback", hits + TAIL, Usage::MAP_READ | Usage::COPY_DST);
+            let hits = context.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
+            let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
+            let list = context.buffer("list", (COUNTERS + lists).max(16), usage);
+            let buffers = [&params, &rays, &hits, &list].into_iter().chain(&scene.buffers);
+            let bindings = context.bind(&self.layout, buffers);
+            Slot { params, rays, hits, list, readback, clock: context.clock(), bindings }
+        };
+        self.slots = context.making(|| Ok((0..SLOTS).map(|_| slot()).collect()))?;
         self.capacity = wanted;
         Ok(())
     }
@@ -133,12 +133,12 @@ impl Stream {
     /// in order. Returned are the nanoseconds that kernels ran, 0 where the device has no clock.
     pub(crate) fn run(
         &mut self,
-        gpu: &Gpu,
+        context: &Context,
         scene: &OnDevice,
         rays: &[Ray],
         mut take: impl FnMut(usize, &[u8], u32),
     ) -> Result<u64, Error> {
-        self.reserve(gpu, scene, rays.len())?;
+        self.reserve(context, scene, rays.len())?;
         let mut flights = std::collections::VecDeque::with_capacity(SLOTS);
         let (mut at, mut slot) = (0, 0);
         let mut last_done = Instant::now();
@@ -146,28 +146,37 @@ impl Stream {
         while at < rays.len() || !flights.is_empty() {
             if at < rays.len() && flights.len() < SLOTS {
                 let count = self.chunk.min(self.capacity).min(rays.len() - at);
-                flights.push_back(self.launch(gpu, scene, slot, at, &rays[at..at + count])?);
+                let chunk = &rays[at..at + count];
+                flights.push_back(context.making(|| self.launch(context, scene, slot, at, chunk))?);
                 at += count;
                 slot = (slot + 1) % SLOTS;
                 continue;
             }
             let Some(flight) = flights.pop_front() else { break };
-            nanoseconds += self.land(gpu, &flight, &mut take)?;
+            nanoseconds += self.land(context, &flight, &mut take)?;
             self.adapt(flight.count, last_done.elapsed());
             last_done = Instant::now();
         }
         Ok(nanoseconds)
     }
 
-    fn launch(&self, gpu: &Gpu, scene: &OnDevice, slot: usize, at: usize, rays: &[Ray]) -> Result<Flight, Error> {
+    fn launch(
+        &self,
+        context: &Context,
+        scene: &OnDevice,
+        slot: usize,
+        at: usize,
+        rays: &[Ray],
+    ) -> Result<Flight, Error> {
         let Slot { params, rays: buffer, hits, list, readback, clock, bindings } = &self.slots[slot];
-        let ray_count = u32::try_from(rays.len()).unwrap_or(u32::MAX);
+        let ray_count = u32::try_from(rays.len()).expect("no more than LARGEST_CHUNK");
         let groups = ray_count.div_ceil(WORKGROUP);
         let row = groups.min(self.widest);
         let given = Params { ray_count, row, scene_exponent: scene.scale_exponent, scene_size: scene.size };
-        gpu.queue.write_buffer(params, 0, bytemuck::bytes_of(&given));
-        gpu.queue.write_buffer(buffer, 0, bytemuck::cast_slice(rays));
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let queue = &context.handles.queue;
+        queue.write_buffer(params, 0, bytemuck::bytes_of(&given));
+        queue.write_buffer(buffer, 0, bytemuck::cast_slice(rays));
+        let mut encoder = context.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.clear_buffer(list, 0, Some(COUNTERS));
         {
             let timestamp_writes = clock.as_ref().map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
@@ -193,31 +202,30 @@ impl Stream {
             encoder.resolve_query_set(queries, 0..2, ticks, 0);
             encoder.copy_buffer_to_buffer(ticks, 0, readback, bytes + COUNTERS, TICKS);
         }
-        let submission = gpu.queue.submit([encoder.finish()]);
+        let submission = queue.submit([encoder.finish()]);
         let (sender, mapped) = mpsc::channel();
         readback.map_async(wgpu::MapMode::Read, 0..bytes + TAIL, move |result| {
             // The receiver is gone only when the batch was given up.
             let _ = sender.send(result);
         });
-        gpu.check()?;
         Ok(Flight { slot, at, count: rays.len(), submission, mapped })
     }
 
     /// Hands over a chunk's answers; returned are the nanoseconds that its kernels ran.
-    fn land(&self, gpu: &Gpu, flight: &Flight, take: &mut impl FnMut(usize, &[u8], u32)) -> Result<u64, Error> {
-        gpu.wait(flight.submission.clone())?;
-        let lost = |e: &dyn std::fmt::Display| Error::Device(format!("hits could not be read back: {e}"));
-        flight.mapped.recv().map_err(|e| lost(&e))?.map_err(|e| lost(&e))?;
+    fn land(&self, context: &Context, flight: &Flight, take: &mut impl FnMut(usize, &[u8], u32)) -> Result<u64, Error> {
+        context.wait(flight.submission.clone())?;
+        let unread =
+            |e: &dyn std::error::Error| Error::Driver { what: format!("hits cannot be read back: {}", causes(e)) };
+        flight.mapped.recv().map_err(|e| unread(&e))?.map_err(|e| unread(&e))?;
         let Slot { readback, clock, .. } = &self.slots[flight.slot];
         let bytes = flight.count as u64 * self.query.answer_size();
-        let [start, end] = {
-            let view = readback.get_mapped_range(0..bytes + TAIL).map_err(|e| lost(&e))?;
-            let (answers, tail) = view.split_at(usize::try_from(bytes).unwrap_or(usize::MAX));
+        let [start, end] = context.read(readback, bytes + TAIL, |view| {
+            let (answers, tail) = view.split_at(usize::try_from(bytes).expect("they lie in memory"));
             take(flight.at, answers, bytemuck::pod_read_unaligned(&tail[..4]));
             bytemuck::pod_read_unaligned::<[u64; 2]>(&tail[8..24])
-        };
+        })?;
         readback.unmap();
-        Ok(clock.as_ref().map_or(0, |_| gpu.nanoseconds(end.saturating_sub(start))))
+        Ok(clock.as_ref().map_or(0, |_| context.nanoseconds(end.saturating_sub(start))))
     }
 
     /// Doubles or halves the chunk towards [`CHUNK_TIME`].

@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
 
 use bytemuck::Pod;
 use rayproof_scene::{FlatHit, Kinds, Precision, Ray};
@@ -11,6 +10,7 @@ use rayproof_tree::Bvh;
 
 use crate::Error;
 use crate::batch::Stream;
+use crate::context::Context;
 use crate::gpu::Gpu;
 use crate::kernel::{Pass, Query, Walk, Width};
 use crate::kinds::{self, List};
@@ -22,13 +22,13 @@ const OPEN: u32 = 0xffff_fffe;
 
 /// A tree on a device, ready to answer.
 pub struct Engine {
-    gpu: Arc<Gpu>,
-    scene: OnDevice,
+    pub(crate) gpu: Arc<Gpu>,
+    pub(crate) scene: OnDevice,
     /// What answers each query, one pass after the other.
     passes: Passes,
     /// Each query's kernels and buffers, made when first asked for; one batch at a time. The last is the first pass alone.
     streams: [Mutex<Option<Stream>>; 4],
-    kernel_nanoseconds: AtomicU64,
+    pub(crate) kernel_nanoseconds: AtomicU64,
 }
 
 /// What a batch left open.
@@ -79,50 +79,33 @@ impl Engine {
     /// Puts a tree, scaled for `precision`, on a device.
     ///
     /// # Errors
-    /// When the device cannot hold it; or for the precision `exact`, when the device has no numbers for its second stage or the scene
-    /// is not [plain](Bvh::plain).
+    /// When the device cannot hold it or fails; [`Error::Unsupported`] for the precision `double` where it has no `f64`, and for
+    /// `exact` where it has no numbers for the second stage or the scene is not [plain](Bvh::plain).
     pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, precision: Precision) -> Result<Self, Error> {
         if precision != Precision::Exact {
-            if precision == Precision::Double && !gpu.has_f64() {
-                return Err(Error::Device("it has no f64, which the precision double computes in".to_owned()));
+            if precision == Precision::Double && !gpu.context.has_f64() {
+                let what = format!("{} has no f64, which the precision double computes in", gpu.name());
+                return Err(Error::Unsupported { what });
             }
             return Self::with_passes(gpu, bvh, Passes::Single(precision));
         }
-        let second =
-            gpu.second_stage()?.ok_or_else(|| refused("none of its numbers keep the errors of their roundings"))?;
-        let is_ieee = gpu.fingerprint().is_some_and(crate::Fingerprint::is_ieee);
-        Self::with_numbers(gpu, bvh, if is_ieee { Width::Single } else { Width::SingleByRule }, second)
+        let refused = || refused(&gpu, "none of its numbers keep the errors of their roundings");
+        let second = gpu.second_stage()?.ok_or_else(refused)?;
+        let first = if gpu.fingerprint().is_ieee() { Width::Single } else { Width::SingleByRule };
+        Self::exact(gpu, bvh, first, second)
     }
 
-    /// The precision `exact` with numbers of one's own choice for its first pass and for the others: to try them out. They must be
-    /// ones that the device keeps.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn with_numbers(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, second: SecondStage) -> Result<Self, Error> {
+    /// The precision `exact` with these numbers.
+    pub(crate) fn exact(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, second: SecondStage) -> Result<Self, Error> {
         if !bvh.plain {
-            return Err(refused("the scene's numbers are too far apart"));
+            return Err(refused(&gpu, "the scene's numbers are too far apart"));
         }
         Self::with_passes(gpu, bvh, Passes::Exact { first, second: second.width, rest: second.rest })
     }
 
     fn with_passes(gpu: Arc<Gpu>, bvh: &Bvh, passes: Passes) -> Result<Self, Error> {
-        let scene = OnDevice::new(&gpu, bvh)?;
-        gpu.check()?;
+        let scene = gpu.context.making(|| OnDevice::new(&gpu.context, bvh))?;
         Ok(Self { gpu, scene, passes, streams: Default::default(), kernel_nanoseconds: AtomicU64::new(0) })
-    }
-
-    /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
-    #[must_use]
-    pub fn without_tree(mut self) -> Self {
-        self.scene.walk = Walk::Every;
-        self
-    }
-
-    /// Seconds that kernels have run so far, by the device's own clock; `None` where it has none.
-    #[must_use]
-    pub fn kernel_seconds(&self) -> Option<f64> {
-        self.gpu.has_clock().then(|| Duration::from_nanos(self.kernel_nanoseconds.load(Relaxed)).as_secs_f64())
     }
 
     /// The closest hit of each ray, in the rays' order. Rays that are returned as open have no answer yet.
@@ -207,13 +190,18 @@ impl Engine {
         take: impl Fn(&W) -> (A, u32),
     ) -> Result<Open, Error> {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
-        let mut slot = slot.lock().map_err(|_| Error::Device("an earlier batch panicked".to_owned()))?;
+        // What a batch that fails or panics leaves in flight is not known: a new stream takes its place.
+        let mut slot = slot.lock().unwrap_or_else(|panicked| {
+            let mut slot = panicked.into_inner();
+            *slot = None;
+            slot
+        });
         let stream = match &mut *slot {
             Some(stream) => stream,
             empty => empty.insert(Stream::new(&self.gpu, &self.scene, query, passes)?),
         };
         let mut open = Open::default();
-        let nanoseconds = stream.run(&self.gpu, &self.scene, rays, |at, bytes, after_first| {
+        let ran = stream.run(&self.gpu.context, &self.scene, rays, |at, bytes, after_first| {
             open.after_first += u64::from(after_first);
             for ((i, answer), word) in answers.iter_mut().enumerate().skip(at).zip(bytemuck::cast_slice::<u8, W>(bytes))
             {
@@ -223,18 +211,21 @@ impl Engine {
                     open.rays.push(i);
                 }
             }
-        })?;
-        self.kernel_nanoseconds.fetch_add(nanoseconds, Relaxed);
+        });
+        if ran.is_err() {
+            *slot = None;
+        }
+        self.kernel_nanoseconds.fetch_add(ran?, Relaxed);
         Ok(open)
     }
 }
 
-fn refused(what: &str) -> Error {
-    Error::Device(format!("the precision exact does not run there: {what}"))
+fn refused(gpu: &Gpu, why: &str) -> Error {
+    Error::Unsupported { what: format!("the precision exact does not run on {}: {why}", gpu.name()) }
 }
 
 impl OnDevice {
-    fn new(gpu: &Gpu, bvh: &Bvh) -> Result<Self, Error> {
+    fn new(context: &Context, bvh: &Bvh) -> Result<Self, Error> {
         let kinds = bvh.kinds();
         let nodes =
             List { name: "node_quad", element: "vec4<u32>", stride: 16, bytes: bytemuck::cast_slice(&bvh.nodes) };
@@ -245,11 +236,11 @@ impl OnDevice {
         let mut accessors = format!("const STACK_SIZE: u32 = {stack}u;\n");
         let mut buffers = Vec::new();
         for List { name, element, stride, bytes } in lists {
-            let pages = Pages::upload(gpu, name, bytes, stride);
+            let pages = Pages::upload(context, name, bytes, stride);
             let _ = write!(accessors, "{}", pages.accessor(name, element, 4 + buffers.len()));
             buffers.extend(pages.buffers);
         }
-        check_bindings(gpu, buffers.len() + 3)?;
+        check_bindings(context, buffers.len() + 3)?;
         let (scale_exponent, size, nodes) = (bvh.scale_exponent, bvh.size, bvh.nodes.len());
         Ok(Self { kinds, accessors, buffers, nodes, scale_exponent, size, walk: Walk::Tree })
     }

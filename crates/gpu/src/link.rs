@@ -1,9 +1,9 @@
 //! Joining WGSL files: declarations come in any order, so joining is linking.
 
-use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::Error;
+use crate::error::causes;
 
 /// Files joined to one module, and where each one's lines went.
 #[derive(Clone, Debug, Default)]
@@ -54,22 +54,12 @@ impl Linked {
 
     fn fault(&self, message: &str, location: Option<naga::SourceLocation>) -> Error {
         let place = location.and_then(|l| self.locate(l.line_number as usize));
-        Error::Kernel(match place {
+        let fault = match place {
             Some((path, line)) => format!("{path}:{line}: {message}"),
             None => message.to_owned(),
-        })
+        };
+        Error::Kernel { fault }
     }
-}
-
-/// An error and what it came from, on one line.
-fn causes(error: &dyn std::error::Error) -> String {
-    let mut text = error.to_string();
-    let mut next = error.source();
-    while let Some(cause) = next {
-        let _ = write!(text, ": {cause}");
-        next = cause.source();
-    }
-    text
 }
 
 #[cfg(test)]

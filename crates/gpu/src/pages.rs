@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use crate::Error;
-use crate::gpu::Gpu;
+use crate::context::Context;
 
 /// A list on the device, in pages.
 pub(crate) struct Pages {
@@ -14,14 +14,14 @@ pub(crate) struct Pages {
 
 impl Pages {
     /// Uploads `bytes`, elements of `stride` bytes (a power of two), in pages of at most the device's binding size.
-    pub(crate) fn upload(gpu: &Gpu, label: &str, bytes: &[u8], stride: usize) -> Self {
-        let shift = (gpu.max_binding() / stride as u64).max(1).ilog2();
+    pub(crate) fn upload(context: &Context, label: &str, bytes: &[u8], stride: usize) -> Self {
+        let shift = (context.max_binding / stride as u64).max(1).ilog2();
         let page = stride << shift;
         let usage = wgpu::BufferUsages::STORAGE;
         let buffers = match bytes.len() {
             // Nothing cannot be bound.
-            0 => vec![gpu.buffer_with(label, &vec![0; stride], usage)],
-            _ => bytes.chunks(page).map(|chunk| gpu.buffer_with(label, chunk, usage)).collect(),
+            0 => vec![context.buffer_with(label, &vec![0; stride], usage)],
+            _ => bytes.chunks(page).map(|chunk| context.buffer_with(label, chunk, usage)).collect(),
         };
         Self { buffers, shift }
     }
@@ -53,13 +53,14 @@ impl Pages {
 }
 
 /// Whether `bindings` storage buffers fit a kernel.
-pub(crate) fn check_bindings(gpu: &Gpu, bindings: usize) -> Result<(), Error> {
-    let most = gpu.limits().max_storage_buffers_per_shader_stage as usize;
+pub(crate) fn check_bindings(context: &Context, bindings: usize) -> Result<(), Error> {
+    let most = context.limits.max_storage_buffers_per_shader_stage as usize;
     if bindings <= most {
         return Ok(());
     }
-    Err(Error::TooLarge(format!(
+    let what = format!(
         "it takes {bindings} bindings of {} bytes and a kernel has {most}; use a device with larger bindings or `cpu`",
-        gpu.max_binding()
-    )))
+        context.max_binding
+    );
+    Err(Error::TooLarge { what })
 }

@@ -5,19 +5,18 @@ use std::time::Instant;
 use rayproof_scene::{FlatHit, Mesh, Ray};
 
 use crate::Error;
-use crate::adapter::{choose, driver};
-use crate::gpu::{Selector, instance};
+use crate::adapter::{Adapters, Selector, driver};
+use crate::compute::WORKGROUP;
+use crate::context::Context;
 
 /// Rays a dispatch.
 const CHUNK: usize = 1 << 18;
 
 /// A mesh in the device's own tree.
 pub struct RayQuery {
-    device: wgpu::Device,
-    queue: wgpu::Queue,
+    context: Context,
     pipeline: wgpu::ComputePipeline,
     tree: wgpu::Tlas,
-    driver: String,
     build_seconds: f64,
 }
 
@@ -25,33 +24,22 @@ impl RayQuery {
     /// Builds the tree on an adapter that has ray queries.
     ///
     /// # Errors
-    /// When there is no such adapter, it has no ray query, or it fails.
+    /// When there is no such adapter, it has no ray query ([`Error::Unsupported`]), or it fails.
     pub fn new(selector: &Selector, mesh: &Mesh) -> Result<Self, Error> {
-        let adapters = pollster::block_on(instance().enumerate_adapters(wgpu::Backends::VULKAN));
-        let infos: Vec<wgpu::AdapterInfo> = adapters.iter().map(wgpu::Adapter::get_info).collect();
-        let index = choose(&infos, selector)?;
-        let (device, queue) = open(&adapters[index])?;
-        let lost = std::sync::Arc::new(std::sync::Mutex::new(None));
-        let slot = lost.clone();
-        device.on_uncaptured_error(std::sync::Arc::new(move |e: wgpu::Error| {
-            if let Ok(mut slot) = slot.lock() {
-                slot.get_or_insert(e.to_string());
-            }
-        }));
+        let adapters = Adapters::list()?;
+        let context = open(&adapters, adapters.choose(selector)?)?;
         let start = Instant::now();
-        let tree = tree(&device, &queue, mesh)?;
+        let (tree, built) = context.making(|| tree(&context, mesh))?;
+        context.wait(built)?;
         let build_seconds = start.elapsed().as_secs_f64();
-        let pipeline = pipeline(&device);
-        match lost.lock().ok().and_then(|mut slot| slot.take()) {
-            Some(text) => Err(Error::Device(text)),
-            None => Ok(Self { device, queue, pipeline, tree, driver: driver(&infos[index]), build_seconds }),
-        }
+        let pipeline = context.making(|| Ok(pipeline(context.device())))?;
+        Ok(Self { context, pipeline, tree, build_seconds })
     }
 
     /// The driver and its version.
     #[must_use]
-    pub fn driver(&self) -> &str {
-        &self.driver
+    pub fn driver(&self) -> String {
+        driver(&self.context.info)
     }
 
     /// Seconds that building the tree took.
@@ -72,22 +60,26 @@ impl RayQuery {
     }
 
     fn chunk(&self, rays: &[Ray], hits: &mut [FlatHit]) -> Result<(), Error> {
-        use wgpu::BufferUsages as Usage;
-        use wgpu::util::DeviceExt as _;
-        let filled = |contents: &[u8], usage| {
-            self.device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
-        };
-        let count = u32::try_from(rays.len()).unwrap_or(u32::MAX);
-        let row = count.div_ceil(64);
-        let params = filled(bytemuck::cast_slice(&[count, row, 0, 0]), Usage::UNIFORM);
-        let given = filled(bytemuck::cast_slice(rays), Usage::STORAGE);
         let size = size_of_val(hits) as u64;
-        let buffer = |usage| {
-            self.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
-        };
-        let (found, readback) = (buffer(Usage::STORAGE | Usage::COPY_SRC), buffer(Usage::MAP_READ | Usage::COPY_DST));
+        let (readback, submission) = self.context.making(|| Ok(self.launch(rays, size)))?;
+        self.context.wait(submission)?;
+        let found = self.context.read(&readback, size, bytemuck::pod_collect_to_vec::<u8, FlatHit>)?;
+        hits.copy_from_slice(&found);
+        Ok(())
+    }
+
+    /// Asks about rays; the answers come to the buffer that is returned.
+    fn launch(&self, rays: &[Ray], size: u64) -> (wgpu::Buffer, wgpu::SubmissionIndex) {
+        use wgpu::BufferUsages as Usage;
+        let context = &self.context;
+        let count = u32::try_from(rays.len()).expect("no more than CHUNK");
+        let row = count.div_ceil(WORKGROUP);
+        let params = context.buffer_with("params", bytemuck::cast_slice(&[count, row, 0, 0]), Usage::UNIFORM);
+        let given = context.buffer_with("rays", bytemuck::cast_slice(rays), Usage::STORAGE);
+        let found = context.buffer("hits", size, Usage::STORAGE | Usage::COPY_SRC);
+        let readback = context.buffer("readback", size, Usage::MAP_READ | Usage::COPY_DST);
         let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
-        let bindings = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        let bindings = context.device().create_bind_group(&wgpu::BindGroupDescriptor {
             label: None,
             layout: &self.pipeline.get_bind_group_layout(0),
             entries: &[
@@ -97,7 +89,7 @@ impl RayQuery {
                 entry(3, self.tree.as_binding()),
             ],
         });
-        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = context.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&self.pipeline);
@@ -105,21 +97,17 @@ impl RayQuery {
             pass.dispatch_workgroups(row, 1, 1);
         }
         encoder.copy_buffer_to_buffer(&found, 0, &readback, 0, size);
-        self.queue.submit([encoder.finish()]);
+        let submission = context.handles.queue.submit([encoder.finish()]);
         readback.map_async(wgpu::MapMode::Read, .., |_| ());
-        let failed = |e: &dyn std::fmt::Display| Error::Device(e.to_string());
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
-        let view = readback.get_mapped_range(..).map_err(|e| failed(&e))?;
-        hits.copy_from_slice(&bytemuck::pod_collect_to_vec::<u8, FlatHit>(&view));
-        Ok(())
+        (readback, submission)
     }
 }
 
 #[expect(unsafe_code, reason = "wgpu asks for it: its ray queries are experimental")]
-fn open(adapter: &wgpu::Adapter) -> Result<(wgpu::Device, wgpu::Queue), Error> {
+fn open(adapters: &Adapters, adapter: &wgpu::Adapter) -> Result<Context, Error> {
     let features = wgpu::Features::EXPERIMENTAL_RAY_QUERY;
     if !adapter.features().contains(features) {
-        return Err(Error::Device(format!("{} has no ray query", adapter.get_info().name)));
+        return Err(Error::Unsupported { what: format!("{} has no ray query", adapter.get_info().name) });
     }
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("ray query"),
@@ -129,19 +117,15 @@ fn open(adapter: &wgpu::Adapter) -> Result<(wgpu::Device, wgpu::Queue), Error> {
         experimental_features: unsafe { wgpu::ExperimentalFeatures::enabled() },
         ..Default::default()
     };
-    pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| Error::Device(e.to_string()))
+    Context::open_as(adapters, adapter, &descriptor)
 }
 
 /// The mesh in one bottom level, opaque, and that once in the top level.
-fn tree(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh) -> Result<wgpu::Tlas, Error> {
-    use wgpu::util::DeviceExt as _;
-    let filled = |contents: &[u8]| {
-        let usage = wgpu::BufferUsages::BLAS_INPUT;
-        device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents, usage })
-    };
-    let vertices = filled(bytemuck::cast_slice(&mesh.vertices));
-    let indices = filled(bytemuck::cast_slice(&mesh.triangles));
-    let count = |n: usize| u32::try_from(n).map_err(|_| Error::TooLarge("2^32 indices".to_owned()));
+fn tree(context: &Context, mesh: &Mesh) -> Result<(wgpu::Tlas, wgpu::SubmissionIndex), Error> {
+    let (device, usage) = (context.device(), wgpu::BufferUsages::BLAS_INPUT);
+    let vertices = context.buffer_with("vertices", bytemuck::cast_slice(&mesh.vertices), usage);
+    let indices = context.buffer_with("indices", bytemuck::cast_slice(&mesh.triangles), usage);
+    let count = |n: usize| u32::try_from(n).map_err(|_| Error::TooLarge { what: "it has 2^32 indices".to_owned() });
     let size = wgpu::BlasTriangleGeometrySizeDescriptor {
         vertex_format: wgpu::VertexFormat::Float32x3,
         vertex_count: count(mesh.vertices.len())?,
@@ -173,9 +157,8 @@ fn tree(device: &wgpu::Device, queue: &wgpu::Queue, mesh: &Mesh) -> Result<wgpu:
         wgpu::BlasBuildEntry { blas: &blas, geometry: wgpu::BlasGeometries::TriangleGeometries(vec![geometry]) };
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.build_acceleration_structures([&entry], [&tlas]);
-    queue.submit([encoder.finish()]);
-    device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| Error::Device(e.to_string()))?;
-    Ok(tlas)
+    let built = context.handles.queue.submit([encoder.finish()]);
+    Ok((tlas, built))
 }
 
 fn pipeline(device: &wgpu::Device) -> wgpu::ComputePipeline {

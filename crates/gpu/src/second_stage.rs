@@ -5,10 +5,12 @@ use std::time::Instant;
 use bytemuck::{Pod, Zeroable};
 
 use crate::Error;
-use crate::fingerprint::Route;
-use crate::gpu::Gpu;
+use crate::compute::Alone;
+use crate::context::Context;
+use crate::dump::width_name;
 use crate::kernel::Width;
 use crate::link::Linked;
+use crate::route::Route;
 
 /// Pairs of numbers tried.
 const PAIRS: u32 = 1 << 12;
@@ -53,51 +55,76 @@ struct Results {
 }
 
 impl SecondStage {
-    /// Tries each width on the device; `None` where none keeps its promise.
-    ///
-    /// # Errors
-    /// When the device fails.
-    pub fn measure(gpu: &Gpu) -> Result<Option<Self>, Error> {
-        let keeps = |width: Width| -> Result<bool, Error> {
-            Ok((gpu.has_f64() || !width.needs_f64()) && is_kept(width, &run(gpu, width, 0, PAIRS)?))
-        };
-        let rest = keeps(Width::PairOfF64)?.then_some(Width::PairOfF64);
-        let mut kept = Vec::new();
-        for width in [Width::Double, Width::PairOfF32] {
-            if keeps(width)? {
-                kept.push(width);
-            }
+    /// Tries each width on the device; `None` where none keeps its promise, or kernels take a route on which no bound holds.
+    pub(crate) fn on(context: &Context, route: Route) -> Result<Option<Self>, Error> {
+        if route != Route::ExactSpirv {
+            return Ok(None);
         }
-        Ok(fastest(gpu, &kept)?.map(|width| Self { width, rest }))
+        let kept = |width: Width| -> Result<Option<Trial<'_>>, Error> {
+            if width.needs_f64() && !context.has_f64() {
+                return Ok(None);
+            }
+            let trial = Trial::new(context, width)?;
+            Ok(is_kept(width, &trial.run(0, PAIRS)?).then_some(trial))
+        };
+        let rest = kept(Width::PairOfF64)?.map(|trial| trial.width);
+        let mut trials = Vec::new();
+        for width in [Width::Double, Width::PairOfF32] {
+            trials.extend(kept(width)?);
+        }
+        Ok(fastest(&trials)?.map(|width| Self { width, rest }))
     }
 }
 
 /// The width in which the same arithmetic takes the least time.
-fn fastest(gpu: &Gpu, widths: &[Width]) -> Result<Option<Width>, Error> {
-    if let [] | [_] = widths {
-        return Ok(widths.first().copied());
+fn fastest(trials: &[Trial<'_>]) -> Result<Option<Width>, Error> {
+    if let [] | [_] = trials {
+        return Ok(trials.first().map(|trial| trial.width));
     }
     let [mut rounds, most] = ROUNDS;
     loop {
-        let times = widths.iter().map(|&width| seconds(gpu, width, rounds)).collect::<Result<Vec<f64>, Error>>()?;
+        let times = trials.iter().map(|trial| trial.seconds(rounds)).collect::<Result<Vec<f64>, Error>>()?;
         let least = times.iter().copied().fold(f64::INFINITY, f64::min);
         if least >= SHORTEST || rounds >= most {
-            return Ok(widths.iter().zip(&times).min_by(|a, b| a.1.total_cmp(b.1)).map(|(width, _)| *width));
+            return Ok(trials.iter().zip(&times).min_by(|a, b| a.1.total_cmp(b.1)).map(|(trial, _)| trial.width));
         }
         rounds *= 4;
     }
 }
 
-/// The least of three times that so many rounds take.
-fn seconds(gpu: &Gpu, width: Width, rounds: u32) -> Result<f64, Error> {
-    let threads = if gpu.is_software() { PAIRS } else { THREADS };
-    let mut least = f64::INFINITY;
-    for _ in 0..3 {
-        let start = Instant::now();
-        run(gpu, width, rounds, threads)?;
-        least = least.min(start.elapsed().as_secs_f64());
+/// The trial's kernel in one width.
+struct Trial<'c> {
+    context: &'c Context,
+    width: Width,
+    kernel: Alone,
+}
+
+impl<'c> Trial<'c> {
+    fn new(context: &'c Context, width: Width) -> Result<Self, Error> {
+        let mut linked = Linked::default();
+        width.link(&mut linked);
+        linked.add("exact/number/trial.wgsl", rayproof_shaders::source("exact/number/trial.wgsl"));
+        let name = format!("trial-{}", width_name(width));
+        Ok(Self { context, width, kernel: context.compile_alone(&linked, ["trial", &name], Route::ExactSpirv)? })
     }
-    Ok(least)
+
+    fn run(&self, rounds: u32, threads: u32) -> Result<Vec<Results>, Error> {
+        #[expect(clippy::cast_precision_loss, reason = "24 bits")]
+        let given: Vec<[f32; 4]> = pairs().into_iter().map(|words| words.map(|word| word as f32)).collect();
+        self.context.run_once(&self.kernel, [PAIRS, rounds], bytemuck::cast_slice(&given), PAIRS as usize, threads)
+    }
+
+    /// The least of three times that so many rounds take.
+    fn seconds(&self, rounds: u32) -> Result<f64, Error> {
+        let threads = if self.context.is_software() { PAIRS } else { THREADS };
+        let mut least = f64::INFINITY;
+        for _ in 0..3 {
+            let start = Instant::now();
+            self.run(rounds, threads)?;
+            least = least.min(start.elapsed().as_secs_f64());
+        }
+        Ok(least)
+    }
 }
 
 /// Two whole numbers of 48 bits each, as the upper and lower 24 bits.
@@ -105,7 +132,7 @@ fn pairs() -> Vec<[u32; 4]> {
     let mut state = 0x0af4_c319_77e0_51d2_u64;
     let mut next = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        u32::try_from(state >> 40).unwrap_or(0)
+        u32::try_from(state >> 40).expect("24 bits")
     };
     (0..PAIRS).map(|_| [next() | 1 << 23, next(), next() | 1 << 23, next()]).collect()
 }
@@ -132,7 +159,7 @@ fn is_kept(width: Width, results: &[Results]) -> bool {
         let (x, y, exact_sum, exact_product) = (x as f64, y as f64, x + y, x * y);
         let close = |words: [f32; 5], exact: f64| {
             let found: f64 = words.iter().rev().copied().map(f64::from).sum();
-            (found - exact).abs() <= exact * 2.0_f64.powi(-i32::try_from(bits.min(50)).unwrap_or(0))
+            (found - exact).abs() <= exact * 2.0_f64.powi(-i32::try_from(bits.min(50)).expect("small"))
         };
         near(r.sum, exact_sum) && near(r.product, exact_product) && close(r.quotient, x / y) && close(r.root, x.sqrt())
     })
@@ -143,20 +170,6 @@ fn whole(words: [f32; 5]) -> Option<i128> {
     #[expect(clippy::cast_possible_truncation, reason = "whole, and below 2^97")]
     let word = |w: f32| (w.fract() == 0.0 && w.abs() < 2.0_f32.powi(97)).then_some(w as i128);
     words.into_iter().map(word).sum()
-}
-
-fn run(gpu: &Gpu, width: Width, rounds: u32, threads: u32) -> Result<Vec<Results>, Error> {
-    use wgpu::BufferUsages as Usage;
-    let mut linked = Linked::default();
-    width.link(&mut linked);
-    linked.add("exact/number/trial.wgsl", rayproof_shaders::source("exact/number/trial.wgsl"));
-    let layout = gpu.layout(0);
-    let pipeline = gpu.pipeline(&linked, "trial", &layout, Route::ExactSpirv)?;
-    #[expect(clippy::cast_precision_loss, reason = "24 bits")]
-    let given: Vec<[f32; 4]> = pairs().into_iter().map(|words| words.map(|word| word as f32)).collect();
-    let params = gpu.buffer_with("count", bytemuck::cast_slice(&[PAIRS, rounds, 0, 0]), Usage::UNIFORM);
-    let given = gpu.buffer_with("pairs", bytemuck::cast_slice(&given), Usage::STORAGE);
-    gpu.run_once(&pipeline, &layout, [&params, &given], PAIRS as usize, threads.div_ceil(64))
 }
 
 #[cfg(test)]

@@ -4,6 +4,8 @@
 //! Without the decoration Vulkan lets a driver rearrange by associativity and distributivity (`a + b - a -> b` is the
 //! specification's own example, and Mesa does it) and contract to fused operations.
 
+use spirv::{Capability, Decoration, ExecutionMode, GlslStd450Op, Op};
+
 use crate::Error;
 
 /// The float-control modes a device has for `f32` (Vulkan's `VkPhysicalDeviceFloatControlsProperties`).
@@ -14,37 +16,46 @@ pub(crate) struct FloatControls {
     pub(crate) denorm_preserve: bool,
 }
 
+/// The words of a module before its first instruction.
 const HEADER: usize = 5;
 
-// Opcodes (SPIR-V 1.3, section 3.32).
-const OP_EXTENSION: u32 = 10;
-const OP_EXT_INST: u32 = 12;
-const OP_EXECUTION_MODE: u32 = 16;
-const OP_CAPABILITY: u32 = 17;
-const OP_ENTRY_POINT: u32 = 15;
-const OP_TYPE_VOID: u32 = 19;
-const OP_TYPE_FORWARD_POINTER: u32 = 39;
-const OP_DECORATE: u32 = 71;
-const OP_SPEC_CONSTANT_OP: u32 = 52;
-const OP_CONSTANT_TRUE: u32 = 41;
-const NO_CONTRACTION: u32 = 42;
-
-/// `OpFNegate`, `OpFAdd`, `OpFSub`, `OpFMul`, `OpFDiv`, `OpFRem`, `OpFMod`, `OpVectorTimesScalar` ...
-/// `OpOuterProduct`, `OpDot`.
-fn is_float_arithmetic(opcode: u32) -> bool {
-    matches!(opcode, 127 | 129 | 131 | 133 | 136 | 140..=148)
+/// Whether an instruction is one of those that round floats.
+const fn is_float_arithmetic(op: Op) -> bool {
+    matches!(
+        op,
+        Op::FNegate
+            | Op::FAdd
+            | Op::FSub
+            | Op::FMul
+            | Op::FDiv
+            | Op::FRem
+            | Op::FMod
+            | Op::VectorTimesScalar
+            | Op::MatrixTimesScalar
+            | Op::VectorTimesMatrix
+            | Op::MatrixTimesVector
+            | Op::MatrixTimesMatrix
+            | Op::OuterProduct
+            | Op::Dot
+    )
 }
 
-/// Whether an instruction of the header's part of a module comes before annotations end: everything up to the first
-/// type or constant.
-fn begins_types(opcode: u32) -> bool {
-    (OP_TYPE_VOID..=OP_TYPE_FORWARD_POINTER).contains(&opcode)
-        || (OP_CONSTANT_TRUE..=OP_SPEC_CONSTANT_OP).contains(&opcode)
+/// Whether an extended instruction rounds floats. (min, max and abs round nothing.)
+fn is_float_extended(number: u32) -> bool {
+    use GlslStd450Op::{Fma, InverseSqrt, Sqrt};
+    matches!(GlslStd450Op::from_u32(number), Some(Sqrt | InverseSqrt | Fma))
 }
 
-fn instruction(opcode: u32, operands: &[u32]) -> Vec<u32> {
-    let words = u32::try_from(operands.len() + 1).unwrap_or(u32::MAX);
-    std::iter::once((words << 16) | opcode).chain(operands.iter().copied()).collect()
+/// Whether an instruction is a type or a constant: the first of them ends the annotations.
+const fn begins_types(op: Op) -> bool {
+    let number = op as u32;
+    (Op::TypeVoid as u32 <= number && number <= Op::TypeForwardPointer as u32)
+        || (Op::ConstantTrue as u32 <= number && number <= Op::SpecConstantOp as u32)
+}
+
+fn instruction(op: Op, operands: &[u32]) -> Vec<u32> {
+    let words = u32::try_from(operands.len() + 1).expect("an instruction is short");
+    std::iter::once((words << 16) | op as u32).chain(operands.iter().copied()).collect()
 }
 
 /// A literal string as words: UTF-8, ended by zeros.
@@ -55,12 +66,13 @@ fn literal(text: &str) -> Vec<u32> {
 }
 
 /// Each instruction's place, opcode and words.
-fn instructions(words: &[u32]) -> impl Iterator<Item = (usize, u32, &[u32])> {
+fn instructions(words: &[u32]) -> impl Iterator<Item = (usize, Op, &[u32])> {
     let mut at = HEADER;
     std::iter::from_fn(move || {
         let word = *words.get(at)?;
         let length = (word >> 16) as usize;
-        let found = (at, word & 0xffff, words.get(at..at + length.max(1))?);
+        let op = Op::from_u32(word & 0xffff).expect("naga writes opcodes of the specification");
+        let found = (at, op, words.get(at..at + length.max(1))?);
         at += length.max(1);
         Some(found)
     })
@@ -76,6 +88,7 @@ pub(crate) fn exact(
 }
 
 /// Writes a module as it is: a driver may rearrange its arithmetic.
+#[cfg(feature = "measure")]
 pub(crate) fn free(module: &naga::Module, info: &naga::valid::ModuleInfo) -> Result<Vec<u32>, Error> {
     write(module, info)
 }
@@ -90,42 +103,47 @@ fn write(module: &naga::Module, info: &naga::valid::ModuleInfo) -> Result<Vec<u3
         force_loop_bounding: false,
         ..spv::Options::default()
     };
-    spv::write_vec(module, info, &options, None).map_err(|e| Error::Kernel(e.to_string()))
+    spv::write_vec(module, info, &options, None).map_err(|e| Error::Kernel { fault: e.to_string() })
 }
 
 fn decorate(words: &[u32], controls: FloatControls) -> Vec<u32> {
-    let modes: Vec<(u32, u32)> = [
-        // Execution mode and the capability it needs.
-        (controls.round_to_nearest_even, (4462, 4467)),
-        (controls.signed_zero_inf_nan_preserve, (4461, 4466)),
-        (controls.denorm_preserve, (4459, 4464)),
+    let modes: Vec<(ExecutionMode, Capability)> = [
+        (controls.round_to_nearest_even, (ExecutionMode::RoundingModeRTE, Capability::RoundingModeRTE)),
+        (
+            controls.signed_zero_inf_nan_preserve,
+            (ExecutionMode::SignedZeroInfNanPreserve, Capability::SignedZeroInfNanPreserve),
+        ),
+        (controls.denorm_preserve, (ExecutionMode::DenormPreserve, Capability::DenormPreserve)),
     ]
     .into_iter()
     .filter_map(|(has, mode)| has.then_some(mode))
     .collect();
 
-    let mut capabilities: Vec<u32> = modes.iter().flat_map(|m| instruction(OP_CAPABILITY, &[m.1])).collect();
+    let mut capabilities: Vec<u32> =
+        modes.iter().flat_map(|&(_, capability)| instruction(Op::Capability, &[capability as u32])).collect();
     if !modes.is_empty() {
-        capabilities.extend(instruction(OP_EXTENSION, &literal("SPV_KHR_float_controls")));
+        capabilities.extend(instruction(Op::Extension, &literal("SPV_KHR_float_controls")));
     }
     let mut execution_modes = Vec::new();
     let mut decorations = Vec::new();
     // Where the three are put: before the first instruction after the capabilities, after the last entry point or
     // execution mode, before the first type.
     let (mut after_capabilities, mut after_entry_points, mut before_types) = (HEADER, HEADER, None);
-    for (at, opcode, words) in instructions(words) {
-        match opcode {
-            OP_CAPABILITY => after_capabilities = at + words.len(),
-            OP_ENTRY_POINT => {
+    for (at, op, words) in instructions(words) {
+        match op {
+            Op::Capability => after_capabilities = at + words.len(),
+            Op::EntryPoint => {
                 after_entry_points = at + words.len();
-                execution_modes.extend(modes.iter().flat_map(|m| instruction(OP_EXECUTION_MODE, &[words[2], m.0, 32])));
+                let of_f32 =
+                    |&(mode, _): &(ExecutionMode, _)| instruction(Op::ExecutionMode, &[words[2], mode as u32, 32]);
+                execution_modes.extend(modes.iter().flat_map(of_f32));
             }
-            OP_EXECUTION_MODE => after_entry_points = at + words.len(),
-            _ if begins_types(opcode) => before_types = before_types.or(Some(at)),
+            Op::ExecutionMode => after_entry_points = at + words.len(),
+            _ if begins_types(op) => before_types = before_types.or(Some(at)),
             // The result's id is the third word, of extended instructions (sqrt, fma, min ...) too; decorating one
             // that yields no float is allowed only for arithmetic, so those are told apart by their set's numbers.
-            OP_EXT_INST if is_float_extended(words[4]) => decorations.extend(no_contraction(words[2])),
-            _ if is_float_arithmetic(opcode) => decorations.extend(no_contraction(words[2])),
+            Op::ExtInst if is_float_extended(words[4]) => decorations.extend(no_contraction(words[2])),
+            _ if is_float_arithmetic(op) => decorations.extend(no_contraction(words[2])),
             _ => {}
         }
     }
@@ -140,13 +158,8 @@ fn decorate(words: &[u32], controls: FloatControls) -> Vec<u32> {
     out
 }
 
-/// `GLSL.std.450`: Sqrt, InverseSqrt, Fma. (min, max and abs round nothing.)
-fn is_float_extended(number: u32) -> bool {
-    matches!(number, 31 | 32 | 50)
-}
-
 fn no_contraction(id: u32) -> Vec<u32> {
-    instruction(OP_DECORATE, &[id, NO_CONTRACTION])
+    instruction(Op::Decorate, &[id, Decoration::NoContraction as u32])
 }
 
 #[cfg(test)]
@@ -174,11 +187,11 @@ mod tests {
         let before = kernel();
         let after = decorate(&before, FloatControls::default());
         let float: Vec<u32> = instructions(&before)
-            .filter(|(_, op, words)| is_float_arithmetic(*op) || (*op == OP_EXT_INST && is_float_extended(words[4])))
+            .filter(|(_, op, words)| is_float_arithmetic(*op) || (*op == Op::ExtInst && is_float_extended(words[4])))
             .map(|(_, _, words)| words[2])
             .collect();
         let decorated: Vec<u32> = instructions(&after)
-            .filter(|(_, op, words)| *op == OP_DECORATE && words[2] == NO_CONTRACTION)
+            .filter(|(_, op, words)| *op == Op::Decorate && words[2] == Decoration::NoContraction as u32)
             .map(|(_, _, words)| words[1])
             .collect();
         // +, negate, *, /, sqrt, vector * scalar, dot, -, fma, +
@@ -192,30 +205,13 @@ mod tests {
         let all =
             FloatControls { round_to_nearest_even: true, signed_zero_inf_nan_preserve: true, denorm_preserve: true };
         let after = decorate(&kernel(), all);
-        let order: Vec<u32> = instructions(&after).map(|(_, op, _)| op).collect();
-        let place = |op: u32| order.iter().position(|&o| o == op).expect("is there");
-        let last = |op: u32| order.iter().rposition(|&o| o == op).expect("is there");
-        assert!(last(OP_CAPABILITY) < place(OP_EXTENSION) && last(OP_EXTENSION) < place(OP_ENTRY_POINT));
-        assert!(last(OP_ENTRY_POINT) < place(OP_EXECUTION_MODE));
-        assert_eq!(order.iter().filter(|&&o| o == OP_EXECUTION_MODE).count(), 1 + 3);
+        let order: Vec<Op> = instructions(&after).map(|(_, op, _)| op).collect();
+        let place = |op: Op| order.iter().position(|&o| o == op).expect("is there");
+        let last = |op: Op| order.iter().rposition(|&o| o == op).expect("is there");
+        assert!(last(Op::Capability) < place(Op::Extension) && last(Op::Extension) < place(Op::EntryPoint));
+        assert!(last(Op::EntryPoint) < place(Op::ExecutionMode));
+        assert_eq!(order.iter().filter(|&&o| o == Op::ExecutionMode).count(), 1 + 3);
         assert_eq!(literal("abc"), [0x0063_6261]);
         assert_eq!(literal("abcd"), [0x6463_6261, 0]);
-    }
-
-    /// SPIR-V's own numbers of `spirv::Op`, so that a slip in a constant above shows.
-    #[test]
-    fn opcodes_are_those_naga_writes() {
-        let before = kernel();
-        let ops: Vec<u32> = instructions(&before).map(|(_, op, _)| op).collect();
-        for op in [OP_CAPABILITY, OP_ENTRY_POINT, OP_EXECUTION_MODE, OP_DECORATE, OP_TYPE_VOID, OP_EXT_INST] {
-            assert!(ops.contains(&op), "opcode {op} is not in the module");
-        }
-        // OpFAdd, OpFSub, OpFMul, OpFDiv, OpFNegate, OpVectorTimesScalar, OpDot.
-        for op in [129, 131, 133, 136, 127, 142, 148] {
-            assert!(ops.contains(&op) && is_float_arithmetic(op), "opcode {op}");
-        }
-        for op in [128, 130, 132, 134, 135, 137, 138, 139, 149] {
-            assert!(!is_float_arithmetic(op), "opcode {op} is of integers");
-        }
     }
 }

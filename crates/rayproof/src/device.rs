@@ -1,6 +1,6 @@
 use std::sync::Arc;
 
-use rayproof_gpu::{Fingerprint, Gpu, Handles, Route, Selector};
+use rayproof_gpu::{Fingerprint, Gpu, Handles, Selector};
 
 use crate::intersector::{cpu_info, describe};
 use crate::{DeviceChoice, DeviceInfo, Error, Precision};
@@ -26,6 +26,8 @@ impl Device {
             Err(rayproof_gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
                 Ok(Self { gpu: None, note: Some("no hardware GPU with a Vulkan driver was found".to_owned()) })
             }
+            // What a user asked to be written is no matter of the device.
+            Err(e @ rayproof_gpu::Error::Dump { .. }) => Err(e.into()),
             Err(e) if selector == Selector::Hardware => {
                 Ok(Self { gpu: None, note: Some(format!("the GPU could not be used: {e}")) })
             }
@@ -37,17 +39,6 @@ impl Device {
     #[must_use]
     pub const fn cpu() -> Self {
         Self { gpu: None, note: None }
-    }
-
-    /// Opens the same device anew with kernels that take another route, to measure what the usual one costs.
-    ///
-    /// # Errors
-    /// When it is the CPU engine ([`Error::OnDevice`] tells the reverse), has no such route, or fails.
-    pub fn open_with_route(choice: &DeviceChoice, route: Route) -> Result<Self, Error> {
-        let selector = choice.selector().ok_or_else(|| Error::NoDevice("the CPU engine has no kernels".to_owned()))?;
-        let mut gpu = Gpu::open(&selector)?;
-        gpu.take_route(route)?;
-        Ok(Self { gpu: Some(gpu.into()), note: None })
     }
 
     /// Whether it is the CPU engine.
@@ -71,7 +62,7 @@ impl Device {
     /// Its arithmetic, as kernels run it; none for the CPU engine.
     #[must_use]
     pub fn fingerprint(&self) -> Option<&Fingerprint> {
-        self.gpu.as_ref().and_then(|gpu| gpu.fingerprint())
+        self.gpu.as_ref().map(|gpu| gpu.fingerprint())
     }
 
     /// What it is, for a precision.

@@ -1,15 +1,14 @@
+use rayproof_gpu::Error as DeviceError;
 use rayproof_scene::RayFault;
 use rayproof_tree::TooLarge;
 
 /// Why an intersector could not be made or could not go on.
-#[derive(Debug, thiserror::Error)]
+#[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
-    /// The device asked for is not there. The message lists those that are.
-    #[error("{0}")]
-    NoDevice(String),
-    /// The device failed, or cannot hold the scene.
-    #[error("{0}")]
-    Device(#[source] rayproof_gpu::Error),
+    /// The device asked for is not there, lacks something, or failed: the kinds are kept apart.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
     /// A question that only the precision `exact` answers.
     #[error("only the precision exact answers this")]
     NotExact,
@@ -33,13 +32,4 @@ pub enum Error {
 
 fn others(more: usize) -> String {
     if more == 0 { String::new() } else { format!(" (the first of {} bad rays)", more + 1) }
-}
-
-impl From<rayproof_gpu::Error> for Error {
-    fn from(error: rayproof_gpu::Error) -> Self {
-        match error {
-            rayproof_gpu::Error::NoAdapter { .. } => Self::NoDevice(error.to_string()),
-            other => Self::Device(other),
-        }
-    }
 }

@@ -12,7 +12,7 @@ use crate::{Device, DeviceInfo, Error, Options, Precision};
 
 /// A scene made ready on a device.
 pub struct Intersector {
-    engine: Engine,
+    pub(crate) engine: Engine,
     info: DeviceInfo,
     build_seconds: f64,
     precision: Precision,
@@ -23,7 +23,7 @@ pub struct Intersector {
     invalid: AtomicU64,
 }
 
-enum Engine {
+pub(crate) enum Engine {
     Cpu(Box<rayproof_cpu::Engine>),
     /// With the engine that gives the precision `exact` its last answers.
     Gpu(Box<rayproof_gpu::Engine>, Option<Box<rayproof_cpu::Engine>>),
@@ -85,16 +85,6 @@ impl Intersector {
             resolve_nanoseconds: AtomicU64::new(0),
             invalid: AtomicU64::new(0),
         })
-    }
-
-    /// This intersector without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
-    #[must_use]
-    pub fn without_tree(self) -> Self {
-        let engine = match self.engine {
-            Engine::Cpu(engine) => Engine::Cpu(Box::new(engine.without_tree())),
-            Engine::Gpu(engine, last) => Engine::Gpu(Box::new(engine.without_tree()), last),
-        };
-        Self { engine, ..self }
     }
 
     /// The device that answers.
@@ -235,33 +225,6 @@ impl Intersector {
         Duration::from_nanos(self.resolve_nanoseconds.load(Relaxed)).as_secs_f64()
     }
 
-    /// How many primitives claim that a ray hits them in range, by the formulas of the precision (those of `fast` for `exact`):
-    /// unlike [`count`](Self::count) no count of crossings, but what single precision takes for one. Only the CPU engine tells.
-    ///
-    /// # Errors
-    /// [`Error::OnDevice`].
-    ///
-    /// # Panics
-    /// When `rays` and `claims` differ in length.
-    pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) -> Result<(), Error> {
-        match &self.engine {
-            Engine::Cpu(engine) => {
-                engine.claims(rays, claims);
-                Ok(())
-            }
-            Engine::Gpu(..) => Err(Error::OnDevice),
-        }
-    }
-
-    /// Seconds that kernels have run so far, by the device's own clock; `None` where it has none, and on the CPU engine.
-    #[must_use]
-    pub fn kernel_seconds(&self) -> Option<f64> {
-        match &self.engine {
-            Engine::Cpu(_) => None,
-            Engine::Gpu(engine, _) => engine.kernel_seconds(),
-        }
-    }
-
     fn check_exact(&self) -> Result<(), Error> {
         if self.precision == Precision::Exact { Ok(()) } else { Err(Error::NotExact) }
     }
@@ -322,16 +285,14 @@ pub(crate) fn cpu_info(note: Option<String>) -> DeviceInfo {
 
 pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
     let mut notes = Vec::new();
-    if let Some(fingerprint) = gpu.fingerprint()
-        && precision != Precision::Exact
-        && !fingerprint.is_ieee()
-    {
+    let fingerprint = gpu.fingerprint();
+    if precision != Precision::Exact && !fingerprint.is_ieee() {
         notes.push(format!(
             "this device's f32 arithmetic ({}) is not IEEE: its bits differ from the CPU's; see `rayproof devices`",
             fingerprint.route
         ));
     }
-    if let (Precision::Exact, Some(fingerprint), Ok(Some(second))) = (precision, gpu.fingerprint(), gpu.second_stage())
+    if let (Precision::Exact, Ok(Some(second))) = (precision, gpu.second_stage())
         && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && second.rest.is_some())
     {
         notes.push(format!(

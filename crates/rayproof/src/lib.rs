@@ -33,6 +33,8 @@ mod choice;
 mod device;
 mod error;
 mod intersector;
+#[cfg(feature = "measure")]
+pub mod measure;
 pub mod rays;
 pub mod stream;
 
@@ -41,7 +43,7 @@ pub use device::Device;
 pub use error::Error;
 pub use intersector::Intersector;
 pub use rayproof_files as files;
-pub use rayproof_gpu::{AdapterReport, Fingerprint, Handles, Route, adapters};
+pub use rayproof_gpu::{AdapterReport, Error as DeviceError, Fingerprint, Handles, adapters};
 pub use rayproof_scene as scene;
 pub use rayproof_scene::Precision;
 pub use rayproof_scene::glam;

@@ -50,6 +50,7 @@ impl Ray {
 
 /// What can be wrong with a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RayFault {
     /// A NaN or an infinity in the origin.
     #[error("the origin is not finite; give three finite numbers")]

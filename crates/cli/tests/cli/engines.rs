@@ -119,3 +119,21 @@ fn the_adapters_and_their_arithmetic_are_listed() {
         assert!(listing.contains(part), "{part} is not in\n{listing}");
     }
 }
+
+#[test]
+fn kernels_are_written_where_the_environment_says() {
+    let folder = folder();
+    folder.run("rays scene.toml -o rays.npy --size 8x6").expect(0, &[]);
+    let run = |dump: &str| {
+        let line = "intersect scene.toml rays.npy -o hits.npy --device gpu";
+        let output = folder.command(line).env("RAYPROOF_DUMP", folder.path(dump)).output().unwrap();
+        super::Ran::of(line, output)
+    };
+    run("made/for/it").expect(0, &[]);
+    for name in ["first-closest-triangles-spheres-f32", "fingerprint", "trial-pair-of-f32"] {
+        let text = folder.read(&format!("made/for/it/{name}.wgsl"));
+        assert!(String::from_utf8(text).unwrap().contains("@compute"), "{name}");
+        assert_eq!(folder.read(&format!("made/for/it/{name}.spv"))[..4], 0x0723_0203_u32.to_le_bytes(), "{name}");
+    }
+    run("scene.toml/no").expect(1, &["RAYPROOF_DUMP", "scene.toml/no"]);
+}

@@ -10,6 +10,8 @@ mod overwrite;
 mod rays;
 mod render;
 mod report;
+#[cfg(target_os = "linux")]
+mod starved;
 mod streams;
 mod usage;
 mod viewer;

@@ -5,28 +5,9 @@ mod print;
 use bytemuck::{Pod, Zeroable};
 
 use crate::Error;
-use crate::gpu::Gpu;
+use crate::context::Context;
 use crate::link::Linked;
-
-/// How a kernel reaches the driver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Route {
-    /// naga's SPIR-V with `NoContraction` and float controls, passed through wgpu.
-    ExactSpirv,
-    /// That SPIR-V without either, to measure what they cost: the driver may rewrite arithmetic.
-    FreeSpirv,
-    /// WGSL as wgpu compiles it: the driver may rewrite arithmetic.
-    PlainWgsl,
-    /// That WGSL without wgpu's runtime checks, to measure what they cost.
-    UncheckedWgsl,
-}
-
-impl Route {
-    /// Every route.
-    pub const ALL: [Self; 4] = [Self::ExactSpirv, Self::FreeSpirv, Self::PlainWgsl, Self::UncheckedWgsl];
-    /// Those by which answers come.
-    pub const TAKEN: [Self; 2] = [Self::ExactSpirv, Self::PlainWgsl];
-}
+use crate::route::Route;
 
 /// 2^-64: it makes small numbers subnormal.
 const SMALL: f32 = f32::from_bits((127 - 64) << 23);
@@ -86,12 +67,9 @@ struct Results {
 
 impl Fingerprint {
     /// Runs the check kernel on a device.
-    ///
-    /// # Errors
-    /// When the device fails.
-    pub fn measure(gpu: &Gpu, route: Route) -> Result<Self, Error> {
+    pub(crate) fn measure(context: &Context, route: Route) -> Result<Self, Error> {
         let pairs = pairs();
-        Ok(Self::judge(route, &pairs, &run(gpu, route, &pairs)?))
+        Ok(Self::judge(route, &pairs, &run(context, route, &pairs)?))
     }
 
     /// Whether kernels on this route give the CPU's bits: every operation they use is IEEE's, unfused, and survives.
@@ -198,7 +176,7 @@ fn pairs() -> Vec<[f32; 2]> {
     };
     let mut number = |low: u64, span: u64| {
         let (bits, exponent, sign) = (next() & 0x7f_ffff, low + next() % span, next() & 1);
-        f32::from_bits(u32::try_from((sign << 31) | (exponent << 23) | bits).unwrap_or(0))
+        f32::from_bits(u32::try_from((sign << 31) | (exponent << 23) | bits).expect("32 bits"))
     };
     let mut pairs: Vec<[f32; 2]> = (0..PAIRS - 512).map(|_| [number(127 - 12, 25), number(127 - 12, 25)]).collect();
     pairs.extend((0..256).map(|_| [number(127 - 80, 18), number(127 - 70, 8)]));
@@ -211,16 +189,12 @@ fn pairs() -> Vec<[f32; 2]> {
     pairs
 }
 
-fn run(gpu: &Gpu, route: Route, pairs: &[[f32; 2]]) -> Result<Vec<Results>, Error> {
-    use wgpu::BufferUsages as Usage;
+fn run(context: &Context, route: Route, pairs: &[[f32; 2]]) -> Result<Vec<Results>, Error> {
     let mut linked = Linked::default();
     linked.add("fingerprint.wgsl", rayproof_shaders::source("fingerprint.wgsl"));
-    let layout = gpu.layout(0);
-    let pipeline = gpu.pipeline(&linked, "fingerprint", &layout, route)?;
-    let count = u32::try_from(pairs.len()).unwrap_or(u32::MAX);
-    let params = gpu.buffer_with("count", bytemuck::cast_slice(&[count, 0, 0, 0]), Usage::UNIFORM);
-    let given = gpu.buffer_with("pairs", bytemuck::cast_slice(pairs), Usage::STORAGE);
-    gpu.run_once(&pipeline, &layout, [&params, &given], pairs.len(), count.div_ceil(64))
+    let kernel = context.compile_alone(&linked, ["fingerprint"; 2], route)?;
+    let count = u32::try_from(pairs.len()).expect("PAIRS");
+    context.run_once(&kernel, [count, 0], bytemuck::cast_slice(pairs), pairs.len(), count)
 }
 
 #[cfg(test)]

@@ -2,18 +2,7 @@
 
 use std::fmt;
 
-use super::{Fingerprint, Route};
-
-impl fmt::Display for Route {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::ExactSpirv => "SPIR-V with NoContraction",
-            Self::FreeSpirv => "SPIR-V free to contract",
-            Self::PlainWgsl => "plain WGSL",
-            Self::UncheckedWgsl => "plain WGSL, unchecked",
-        })
-    }
-}
+use super::Fingerprint;
 
 impl fmt::Display for Fingerprint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -84,6 +84,7 @@ impl fmt::Display for JudgedRay {
 
 /// Why an answer is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Fault {
     /// A NaN.
     #[error("t, u or v is not a number")]

@@ -1,6 +1,7 @@
 //! What ran: its arithmetic, and what exact rules cost there.
 
-use rayproof::{Device, DeviceChoice, Fingerprint, Precision, Route};
+use rayproof::measure::Route;
+use rayproof::{Device, DeviceChoice, DeviceError, Fingerprint, Precision};
 
 use super::plan::Progress;
 use super::statistics::timing;
@@ -38,8 +39,7 @@ pub(crate) fn describe(
         return Ok(described);
     }
     progress.stage("rules", 2);
-    let routes: Vec<(Route, Device)> =
-        Route::ALL.into_iter().filter_map(|r| Some((r, Device::open_with_route(choice, r).ok()?))).collect();
+    let routes = routes(choice)?;
     described.arithmetic = routes.iter().filter_map(|(_, d)| d.fingerprint()).map(arithmetic).collect();
     for number in [0, 2] {
         let (scene, rays) = workloads::ALL[number].make(run.plan.seed, number, run.plan.panel);
@@ -47,6 +47,19 @@ pub(crate) fn describe(
         progress.step();
     }
     Ok(described)
+}
+
+/// The device anew with each route that it has.
+fn routes(choice: &DeviceChoice) -> Result<Vec<(Route, Device)>, rayproof::Error> {
+    let mut routes = Vec::new();
+    for route in Route::ALL {
+        match Device::open_with_route(choice, route) {
+            Ok(device) => routes.push((route, device)),
+            Err(rayproof::Error::Device(DeviceError::Unsupported { .. })) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(routes)
 }
 
 fn arithmetic(f: &Fingerprint) -> Arithmetic {

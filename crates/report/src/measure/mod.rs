@@ -39,6 +39,7 @@ use subject::Bench;
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// A device is not there, cannot hold a scene, or fails.
     #[error(transparent)]
@@ -90,7 +91,7 @@ pub fn measure(order: Order, make: &Make<'_>, progress: &mut dyn Progress) -> Re
     let devices = order.devices.iter().map(Device::open).collect::<Result<Vec<_>, _>>()?;
     let mut run = Run {
         plan: order.plan,
-        bench: Bench::new(devices, make),
+        bench: Bench::new(devices, make)?,
         agreement: Agreement::default(),
         rivals: Rivals::new(order.peers),
     };

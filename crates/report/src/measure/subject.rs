@@ -1,7 +1,7 @@
 //! What is measured: a precision on a device.
 
 use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
-use rayproof::{Device, Error, Intersector, Precision};
+use rayproof::{Device, DeviceError, Error, Intersector, Precision};
 
 use crate::model;
 
@@ -84,7 +84,9 @@ impl Subject {
 /// The place of `fast` on the same device; the subject's own where that is not there.
 pub(crate) fn fast_of(subjects: &[Subject], subject: Subject) -> usize {
     let place = |wanted: Subject| subjects.iter().position(|s| *s == wanted);
-    place(Subject { precision: Precision::Fast, ..subject }).or_else(|| place(subject)).unwrap_or(0)
+    place(Subject { precision: Precision::Fast, ..subject })
+        .or_else(|| place(subject))
+        .expect("a subject is one of all")
 }
 
 /// Everything that runs in one report.
@@ -95,13 +97,23 @@ pub(crate) struct Bench<'m> {
 }
 
 impl<'m> Bench<'m> {
-    /// The precisions that each device has. A device refuses those it lacks numbers for.
-    pub(crate) fn new(devices: Vec<Device>, make: &'m Make<'m>) -> Self {
-        let nothing = Scene::new(Vec::new()).expect("made of finite numbers");
-        let has = |device: usize, precision| make(&devices[device], &nothing, precision, Walk::Tree).is_ok();
-        let all = (0..devices.len()).flat_map(|device| Precision::ALL.map(|precision| Subject { precision, device }));
-        let subjects = all.filter(|s| has(s.device, s.precision)).collect();
-        Self { devices, subjects, make }
+    /// The precisions that each device has.
+    ///
+    /// # Errors
+    /// When a device fails; one that lacks the numbers of a precision does not.
+    pub(crate) fn new(devices: Vec<Device>, make: &'m Make<'m>) -> Result<Self, Error> {
+        let nothing = Scene::new(Vec::new()).expect("nothing is wrong with nothing");
+        let mut subjects = Vec::new();
+        for (device, open) in devices.iter().enumerate() {
+            for precision in Precision::ALL {
+                match make(open, &nothing, precision, Walk::Tree) {
+                    Ok(_) => subjects.push(Subject { precision, device }),
+                    Err(Error::Device(DeviceError::Unsupported { .. })) => {}
+                    Err(error) => return Err(error),
+                }
+            }
+        }
+        Ok(Self { devices, subjects, make })
     }
 
     /// The subjects that tell something of scenes with or without spheres: on triangles `textbook` is

@@ -12,7 +12,7 @@ const NAME: &str = "wgpu ray query";
 /// The ray query of a hardware GPU that has one; on a software adapter it would be a peer in name only.
 pub fn ray_query_peer(mesh: &Mesh, selector: &Selector) -> Contestant {
     let query = RayQuery::new(selector, mesh).map_err(|e| Absent::new(NAME, e.to_string()))?;
-    let version = query.driver().to_owned();
+    let version = query.driver();
     Ok(Box::new(RayQueryPeer { query, version, triangles: mesh.triangles.len() }))
 }
 

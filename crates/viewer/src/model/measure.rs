@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use rayproof::scene::{Camera, FlatHit, Ray};
-use rayproof::{Error, Precision};
+use rayproof::{DeviceError, Error, Precision};
 
 use super::look::Source;
 use super::paint::Errors;
@@ -35,7 +35,7 @@ pub(crate) fn measure(world: &World, camera: &Camera, size: [u32; 2]) -> Result<
         match world.engine(Source::device(precision)) {
             Ok(engine) => engines.push((precision, engine)),
             // A device without f64 has no double.
-            Err(_) if precision == Precision::Double => {}
+            Err(Error::Device(DeviceError::Unsupported { .. })) => {}
             Err(error) => return Err(error),
         }
     }
