@@ -22,7 +22,8 @@ fn example() -> String {
 /// Runs cargo on the reader's crate, without a network; returned is what it prints.
 fn cargo(folder: &Path, arguments: &[&str]) -> String {
     let mut cargo = Command::new(env!("CARGO"));
-    let output = cargo.args(arguments).arg("--offline").current_dir(folder).env_remove("CARGO_TARGET_DIR").output().unwrap();
+    let output =
+        cargo.args(arguments).arg("--offline").current_dir(folder).env_remove("CARGO_TARGET_DIR").output().unwrap();
     assert!(output.status.success(), "{cargo:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
@@ -43,12 +44,16 @@ fn the_example_runs_in_a_fresh_crate_that_copies_it() {
     fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
     cargo(&folder, &["run", "--quiet"]);
 
-    let tree = cargo(&folder, &["tree", "--package", "rayproof", "--edges", "normal", "--prefix", "none", "--format", "{p}"]);
+    let tree =
+        cargo(&folder, &["tree", "--package", "rayproof", "--edges", "normal", "--prefix", "none", "--format", "{p}"]);
     let mut crates: Vec<&str> = tree.lines().filter_map(|line| line.split_whitespace().next()).collect();
     crates.sort_unstable();
     crates.dedup();
     println!("the library alone is built from {} crates", crates.len());
     assert_eq!(crates.len(), SMALL, "{crates:?}");
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    assert!(readme.contains(&format!("this builds from {SMALL} crates")), "the README says another number than {SMALL}");
+    assert!(
+        readme.contains(&format!("this builds from {SMALL} crates")),
+        "the README says another number than {SMALL}"
+    );
 }

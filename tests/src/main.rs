@@ -4,6 +4,7 @@
 mod conformance;
 mod device;
 mod exact;
+mod front_door;
 mod house;
 mod regression;
 mod sample;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use rayproof::files::RayWriter;
 use rayproof::rays::{Diffuse, Incoherent, Primary};
 use rayproof::scene::{Camera, Ray, Scene};
-use rayproof::stream::BATCH;
+use rayproof::BATCH;
 
 use crate::args::Rays;
 use crate::choices::Kind;

@@ -108,7 +108,7 @@ impl View<'_> {
     fn each_block(&self, mut f: impl FnMut(&[Ray]) -> Result<(), Failure>) -> Result<(), Failure> {
         let size = self.args.size;
         // The oracle is slow: small blocks, so that the bar moves.
-        let block = if self.args.show == Show::Error { 1 << 11 } else { rayproof::stream::BATCH };
+        let block = if self.args.show == Show::Error { 1 << 11 } else { rayproof::BATCH };
         let progress = Progress::new("rendering", Some(size.pixels()), self.args.quiet);
         let primary = Primary { camera: &self.camera, width: size.width, height: size.height };
         for rays in primary.blocks(block) {

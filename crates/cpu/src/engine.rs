@@ -3,19 +3,15 @@ mod walks;
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use rayproof_scene::{FlatHit, Kind, MISS, Precision, Ray, Undecided};
-use rayproof_tree::{Bvh, LEAF, Scaling};
+use rayproof_scene::{FlatHit, MISS, Precision, Ray, Undecided};
+use rayproof_tree::{Bvh, Scaling};
 
-#[cfg(feature = "measure")]
-use crate::claims::Claims;
 use crate::formulas::{Classic, Double, Fast, Formulas, Pair, Textbook};
 use crate::primitives::Primitives;
 use crate::simd;
 use crate::twin::batch::Params;
-use crate::twin::bvh::slab::{UnpackedNode, unit_direction};
+use crate::twin::bvh::slab::UnpackedNode;
 use crate::twin::bvh::traverse::{Stack, stack};
-use crate::twin::leaf::single::SingleRay;
-use crate::twin::leaf::word::{leaf_first, leaf_range};
 
 /// Rays one task takes at most: enough to hide its start, few enough to share out the last.
 const TASK: usize = 4096;
@@ -26,13 +22,13 @@ const BLOCK: usize = 64;
 /// A tree ready to be walked, and the precision whose formulas run at its leaves.
 #[derive(Clone, Debug)]
 pub struct Engine {
-    nodes: Arc<[UnpackedNode]>,
-    primitives: Arc<Primitives>,
-    stack_depth: usize,
-    params: Params,
-    precision: Precision,
+    pub(crate) nodes: Arc<[UnpackedNode]>,
+    pub(crate) primitives: Arc<Primitives>,
+    pub(crate) stack_depth: usize,
+    pub(crate) params: Params,
+    pub(crate) precision: Precision,
     /// The words of all leaves, where each is visited by every ray.
-    every: Option<Vec<u32>>,
+    pub(crate) every: Option<Vec<u32>>,
 }
 
 /// Evaluates a call with `$formulas` standing for the formulas of a precision; those of `fast` for `exact`.
@@ -52,9 +48,12 @@ macro_rules! by_formulas {
     }};
 }
 
+#[cfg(feature = "measure")]
+pub(crate) use by_formulas;
+
 /// Which stages of the cascade a ray went through.
 #[derive(Clone, Copy, Debug, Default)]
-struct Path {
+pub(crate) struct Path {
     /// The first left it open.
     open: bool,
     /// How often only exact arithmetic could tell.
@@ -82,14 +81,6 @@ impl Engine {
     #[must_use]
     pub fn with_precision(&self, precision: Precision) -> Option<Self> {
         (Scaling::of(precision) == Scaling::of(self.precision)).then(|| Self { precision, ..self.clone() })
-    }
-
-    /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
-    #[cfg(feature = "measure")]
-    #[must_use]
-    pub fn without_tree(self) -> Self {
-        let words = self.nodes.iter().flat_map(UnpackedNode::children).filter(|&word| word != MISS && word >= LEAF);
-        Self { every: Some(words.collect()), ..self }
     }
 
     /// The closest hit of each ray, in the rays' order; returned is how many rays the precision `exact` left open on its way.
@@ -137,16 +128,6 @@ impl Engine {
         )
     }
 
-    /// How many primitives claim that the ray hits them in range, by the formulas of the precision; those of `fast` in the precision
-    /// `exact`. On a closed mesh an even number from inside is a leak or a double hit.
-    ///
-    /// # Panics
-    /// When `rays` and `claims` differ in length.
-    #[cfg(feature = "measure")]
-    pub fn claims(&self, rays: &[Ray], claims: &mut [u32]) {
-        by_formulas!(self.precision, F => self.claims_by::<F>(rays, claims));
-    }
-
     /// How often each ray crosses the surface, exactly, whatever the precision: through a shared edge or vertex of a closed mesh
     /// once; at a tangent of a sphere twice.
     ///
@@ -180,7 +161,7 @@ impl Engine {
 
     /// Answers every ray, a block at a time: `find` finds what `finish` then makes answers of, which is independent work, so that
     /// the processor overlaps it.
-    fn batch<B: Copy + Sync, A: Send>(
+    pub(crate) fn batch<B: Copy + Sync, A: Send>(
         &self,
         rays: &[Ray],
         answers: &mut [A],
@@ -247,23 +228,5 @@ impl Engine {
             |ray, stack, _| u8::from(self.nearest::<F, true>(ray, stack).is_hit()),
             |_, hit, _| hit,
         )
-    }
-
-    #[cfg(feature = "measure")]
-    fn claims_by<F: Formulas>(&self, rays: &[Ray], claims: &mut [u32]) {
-        let Primitives { leaves, spheres, .. } = &*self.primitives;
-        let count = |ray: &Ray, stack: &mut Stack, _: &mut Path| {
-            let unit = unit_direction(ray.direction);
-            let ray = F::ray(&self.params, ray, &unit);
-            let leaf = |kind, ray: &SingleRay, word, found| match kind {
-                Kind::Triangle => Claims::count(found, F::triangles(ray, &leaves[leaf_first(word)]).hits),
-                Kind::Sphere => {
-                    let hit = |i: usize| u32::from(F::sphere(ray, &spheres[i]).hit);
-                    leaf_range(word).fold(found, |found, i| Claims::count(found, hit(i)))
-                }
-            };
-            self.walk(stack, &unit, &ray, Claims::start(&ray), leaf).claims
-        };
-        self.batch(rays, claims, 0, count, |_, claims, _| claims);
     }
 }

@@ -23,13 +23,13 @@
 #![doc = include_str!("../README.md")]
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 
-#[cfg(feature = "measure")]
-mod claims;
 mod engine;
 mod exact;
 mod f64x4;
 mod formulas;
 mod lanes;
+#[cfg(feature = "measure")]
+mod measure;
 mod primitives;
 mod simd;
 mod twin;

@@ -1,8 +1,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use rayproof_gpu::Selector;
 use rayproof_scene::{InvalidRays, Precision};
+
+use crate::gpu::Selector;
 
 /// Which device answers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -14,7 +15,7 @@ pub enum DeviceChoice {
     Cpu,
     /// The best Vulkan adapter, a software one last.
     Gpu,
-    /// The adapter of that number in the list of [`adapters`](crate::adapters).
+    /// The adapter of that number in the list of `rayproof::adapters`.
     Index(usize),
     /// The first adapter whose name holds that text, letter case aside.
     Name(String),

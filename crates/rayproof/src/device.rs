@@ -1,8 +1,10 @@
 use std::sync::Arc;
 
-use rayproof_gpu::{Fingerprint, Gpu, Handles, Selector};
+#[cfg(feature = "gpu")]
+use rayproof_gpu::{Fingerprint, Handles};
 
-use crate::intersector::{cpu_info, describe};
+use crate::gpu::{self, Gpu, Selector, describe};
+use crate::intersector::cpu_info;
 use crate::{DeviceChoice, DeviceInfo, Error, Precision};
 
 /// A device, open: scenes share it, with the kernels it has compiled.
@@ -23,11 +25,12 @@ impl Device {
         let Some(selector) = choice.selector() else { return Ok(Self::cpu()) };
         match Gpu::open(&selector) {
             Ok(gpu) => Ok(Self { gpu: Some(gpu.into()), note: None }),
-            Err(rayproof_gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
+            Err(gpu::Error::NoAdapter { .. }) if selector == Selector::Hardware => {
                 Ok(Self { gpu: None, note: Some("no hardware GPU with a Vulkan driver was found".to_owned()) })
             }
             // What a user asked to be written is no matter of the device.
-            Err(e @ rayproof_gpu::Error::Dump { .. }) => Err(e.into()),
+            #[cfg(feature = "gpu")]
+            Err(e @ gpu::Error::Dump { .. }) => Err(e.into()),
             Err(e) if selector == Selector::Hardware => {
                 Ok(Self { gpu: None, note: Some(format!("the GPU could not be used: {e}")) })
             }
@@ -54,12 +57,14 @@ impl Device {
     }
 
     /// The device itself, to be shared with what paints a window; none for the CPU engine.
+    #[cfg(feature = "gpu")]
     #[must_use]
     pub fn handles(&self) -> Option<Handles> {
         self.gpu.as_ref().map(|gpu| gpu.handles())
     }
 
     /// Its arithmetic, as kernels run it; none for the CPU engine.
+    #[cfg(feature = "gpu")]
     #[must_use]
     pub fn fingerprint(&self) -> Option<&Fingerprint> {
         self.gpu.as_ref().map(|gpu| gpu.fingerprint())

@@ -1,4 +1,4 @@
-use rayproof_gpu::Error as DeviceError;
+use crate::gpu::Error as DeviceError;
 use rayproof_scene::RayFault;
 use rayproof_tree::TooLarge;
 

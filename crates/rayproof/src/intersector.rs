@@ -1,13 +1,12 @@
 use std::borrow::Cow;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
-use rayproof_gpu::{Gpu, Open};
 use rayproof_scene::{FlatHit, Hit, InvalidRays, Numbering, Ray, Scene, Undecided};
 use rayproof_tree::{Bvh, Scaling};
 
 use crate::admit::admit;
+use crate::gpu::{Open, describe, suited};
 use crate::{Device, DeviceInfo, Error, Options, Precision};
 
 /// A scene made ready on a device.
@@ -26,7 +25,7 @@ pub struct Intersector {
 pub(crate) enum Engine {
     Cpu(Box<rayproof_cpu::Engine>),
     /// With the engine that gives the precision `exact` its last answers.
-    Gpu(Box<rayproof_gpu::Engine>, Option<Box<rayproof_cpu::Engine>>),
+    Gpu(Box<crate::gpu::Engine>, Option<Box<rayproof_cpu::Engine>>),
 }
 
 impl Intersector {
@@ -51,7 +50,7 @@ impl Intersector {
         let (engine, info) = match suited(device, &bvh, precision)? {
             Ok(gpu) => {
                 let info = describe(gpu, precision);
-                let engine = Box::new(rayproof_gpu::Engine::new(gpu.clone(), &bvh, precision)?);
+                let engine = Box::new(crate::gpu::Engine::new(gpu.clone(), &bvh, precision)?);
                 let last = (precision == Precision::Exact).then(|| rayproof_cpu::Engine::new(bvh, precision).into());
                 (Engine::Gpu(engine, last), info)
             }
@@ -146,7 +145,7 @@ impl Intersector {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<Undecided, Error> {
-        self.answer(rays, hits, 0, rayproof_cpu::Engine::any, rayproof_gpu::Engine::any)
+        self.answer(rays, hits, 0, rayproof_cpu::Engine::any, crate::gpu::Engine::any)
     }
 
     /// How often each ray crosses the surface: through a shared edge or vertex of a closed mesh once, at a tangent of a sphere
@@ -159,7 +158,7 @@ impl Intersector {
     /// When `rays` and `counts` differ in length.
     pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Result<Undecided, Error> {
         self.check_exact()?;
-        self.answer(rays, counts, 0, rayproof_cpu::Engine::count, rayproof_gpu::Engine::count)
+        self.answer(rays, counts, 0, rayproof_cpu::Engine::count, crate::gpu::Engine::count)
     }
 
     /// Asks the engine, and the CPU for what a device leaves open.
@@ -169,7 +168,7 @@ impl Intersector {
         answers: &mut [A],
         miss: A,
         on_cpu: impl Fn(&rayproof_cpu::Engine, &[Ray], &mut [A]) -> Undecided,
-        on_device: impl Fn(&rayproof_gpu::Engine, &[Ray], &mut [A]) -> Result<Open, rayproof_gpu::Error>,
+        on_device: impl Fn(&crate::gpu::Engine, &[Ray], &mut [A]) -> Result<Open, crate::gpu::Error>,
     ) -> Result<Undecided, Error> {
         let rays = &*self.admit(rays)?;
         match &self.engine {
@@ -254,26 +253,6 @@ impl Intersector {
     }
 }
 
-/// The device, where the precision runs on it with this scene; else why the CPU engine takes its place, if there was one.
-fn suited<'d>(
-    device: &'d Device,
-    bvh: &Bvh,
-    precision: Precision,
-) -> Result<Result<&'d Arc<Gpu>, Option<String>>, Error> {
-    let Some(gpu) = &device.gpu else { return Ok(Err(device.note.clone())) };
-    if precision != Precision::Exact {
-        return Ok(Ok(gpu));
-    }
-    let reason = if !bvh.plain {
-        "the scene's numbers are too far apart for bounds in f32"
-    } else if gpu.second_stage()?.is_none() {
-        "no bound holds for its arithmetic; see `rayproof devices`"
-    } else {
-        return Ok(Ok(gpu));
-    };
-    Ok(Err(Some(format!("{} is not used: {reason}; the answers are as exact", gpu.name()))))
-}
-
 pub(crate) fn cpu_info(note: Option<String>) -> DeviceInfo {
     let threads = rayproof_cpu::threads();
     DeviceInfo {
@@ -281,23 +260,4 @@ pub(crate) fn cpu_info(note: Option<String>) -> DeviceInfo {
         driver: format!("rayproof-cpu {}", env!("CARGO_PKG_VERSION")),
         notes: note.into_iter().collect(),
     }
-}
-
-pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
-    let mut notes = Vec::new();
-    let fingerprint = gpu.fingerprint();
-    if precision != Precision::Exact && !fingerprint.is_ieee() {
-        notes.push(format!(
-            "this device's f32 arithmetic ({}) is not IEEE: its bits differ from the CPU's; see `rayproof devices`",
-            fingerprint.route
-        ));
-    }
-    if let (Precision::Exact, Ok(Some(second))) = (precision, gpu.second_stage())
-        && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && second.rest.is_some())
-    {
-        notes.push(format!(
-            "this device's arithmetic is not all IEEE or has no f64: exact by f32, then {second}, then the CPU"
-        ));
-    }
-    DeviceInfo { name: gpu.name().to_owned(), driver: gpu.driver(), notes }
 }

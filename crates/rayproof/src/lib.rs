@@ -2,7 +2,7 @@
 //!
 //! [`Intersector::new`] takes a [`Scene`](scene::Scene) and [`Options`], builds the tree and puts it on the device;
 //! [`Intersector::closest`], [`Intersector::any`] and [`Intersector::count`] answer batches of any size, by default in the
-//! [`Precision`] `Exact`: the answers of real arithmetic on the given numbers, `t`, `u` and `v` rounded once. [`adapters`] lists
+//! [`Precision`] `Exact`: the answers of real arithmetic on the given numbers, `t`, `u` and `v` rounded once. `adapters` lists
 //! what there is. [`stream`] answers files of rays that memory need not hold, [`rays`] makes rays.
 //!
 //! ```
@@ -29,21 +29,34 @@
 #![doc = include_str!("../README.md")]
 
 mod admit;
+mod batch;
 mod choice;
 mod device;
 mod error;
+#[cfg(feature = "gpu")]
+mod gpu;
 mod intersector;
 #[cfg(feature = "measure")]
 pub mod measure;
+#[cfg(not(feature = "gpu"))]
+mod no_gpu;
 pub mod rays;
+#[cfg(feature = "files")]
 pub mod stream;
 
+#[cfg(not(feature = "gpu"))]
+use no_gpu as gpu;
+
+pub use batch::BATCH;
 pub use choice::{DeviceChoice, DeviceInfo, Options};
 pub use device::Device;
 pub use error::Error;
+pub use gpu::Error as DeviceError;
 pub use intersector::Intersector;
+#[cfg(feature = "files")]
 pub use rayproof_files as files;
-pub use rayproof_gpu::{AdapterReport, Error as DeviceError, Fingerprint, Handles, adapters};
+#[cfg(feature = "gpu")]
+pub use rayproof_gpu::{AdapterReport, Fingerprint, Handles, adapters};
 pub use rayproof_scene as scene;
 pub use rayproof_scene::Precision;
 pub use rayproof_scene::glam;

@@ -1,9 +1,9 @@
 //! What only measuring asks for; the feature `measure` has it.
 
-use rayproof_gpu::Gpu;
 pub use rayproof_gpu::Route;
 use rayproof_scene::Ray;
 
+use crate::gpu::Gpu;
 use crate::intersector::Engine;
 use crate::{Device, DeviceChoice, DeviceError, Error, Intersector};
 

@@ -43,7 +43,7 @@ impl Engine {
 
     /// The walk over the leaves, for a scene of one kind by code that knows of no other.
     #[inline(always)]
-    pub(super) fn walk<R: PreparedRay, F: Found>(
+    pub(crate) fn walk<R: PreparedRay, F: Found>(
         &self,
         stack: &mut Stack,
         unit: &UnitDirection,

@@ -4,7 +4,7 @@ use rayproof_scene::{Hit, Ray, Scene};
 
 use super::Primary;
 use super::bounce::bounce;
-use crate::stream::{BATCH, share};
+use crate::batch::{BATCH, share};
 use crate::{DeviceChoice, Error, Intersector, Options};
 
 /// Rays that leave the surface where primary rays hit it, in cosine-weighted random directions about the geometric normal: what a

@@ -36,7 +36,7 @@ fn row_blocks(width: u32, height: u32, block: usize) -> impl Iterator<Item = Ran
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stream::BATCH;
+    use crate::batch::BATCH;
 
     #[test]
     fn row_blocks_cover_every_row_once_and_are_about_a_batch() {

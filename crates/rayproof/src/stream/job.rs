@@ -2,8 +2,9 @@ use rayproof_files::{self as files, HitWriter, RayReader};
 use rayproof_scene::Undecided;
 
 use super::Answer;
-use super::pipeline::{self, BATCH};
+use super::pipeline;
 use super::sample::{Sample, Sampler};
+use crate::batch::BATCH;
 use crate::{Error, Intersector};
 
 /// What is to be asked, and what to keep of the answers.

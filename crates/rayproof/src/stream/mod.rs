@@ -49,7 +49,5 @@ mod shard;
 pub use answer::Answer;
 pub use check::{Checked, Judgement, check};
 pub use job::{Done, Job};
-pub use pipeline::BATCH;
 pub use sample::Sample;
-pub(crate) use shard::share;
 pub use shard::{NotAShard, Shard, ShardError};

@@ -9,8 +9,6 @@ use std::time::{Duration, Instant};
 
 use rayproof_scene::Ray;
 
-/// Rays a batch: enough to fill a GPU, and 32 MiB.
-pub const BATCH: usize = 1 << 20;
 /// One being read, one traced, one written, and one waiting.
 const BATCHES: usize = 4;
 

@@ -2,7 +2,7 @@
 
 use rayproof_scene::Ray;
 
-use super::shard::share;
+use crate::batch::share;
 
 /// A ray and the answer that was given.
 #[derive(Clone, Copy, Debug, PartialEq)]

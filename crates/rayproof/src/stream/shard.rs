@@ -5,6 +5,8 @@ use std::str::FromStr;
 
 use rayproof_files::{self as files, InvalidRays, RayReader};
 
+use crate::batch::share;
+
 /// One of several contiguous shares of a table of rays, written `I/N`, `I` from 0: for as many machines or runs, whose hits,
 /// joined, are the whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,12 +83,6 @@ pub enum ShardError {
         /// The pipe.
         path: PathBuf,
     },
-}
-
-/// `i * total / of` without overflow, rounded down, for `i` from 0 to `of`.
-pub(crate) fn share(i: u64, of: u64, total: u64) -> u64 {
-    let exact = u128::from(i) * u128::from(total) / u128::from(of);
-    u64::try_from(exact).expect("no more than the total, since i is no more than of")
 }
 
 #[cfg(test)]

@@ -1,0 +1,47 @@
+//! A Vulkan device as the library takes it: where a precision runs on it, and what a user should know of it.
+
+use std::sync::Arc;
+
+pub(crate) use rayproof_gpu::{Engine, Error, Gpu, Open, Selector};
+use rayproof_tree::Bvh;
+
+use crate::{Device, DeviceInfo, Precision};
+
+/// The device, where the precision runs on it with this scene; else why the CPU engine takes its place, if there was one.
+pub(crate) fn suited<'d>(
+    device: &'d Device,
+    bvh: &Bvh,
+    precision: Precision,
+) -> Result<Result<&'d Arc<Gpu>, Option<String>>, Error> {
+    let Some(gpu) = &device.gpu else { return Ok(Err(device.note.clone())) };
+    if precision != Precision::Exact {
+        return Ok(Ok(gpu));
+    }
+    let reason = if !bvh.plain {
+        "the scene's numbers are too far apart for bounds in f32"
+    } else if gpu.second_stage()?.is_none() {
+        "no bound holds for its arithmetic; see `rayproof devices`"
+    } else {
+        return Ok(Ok(gpu));
+    };
+    Ok(Err(Some(format!("{} is not used: {reason}; the answers are as exact", gpu.name()))))
+}
+
+pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
+    let mut notes = Vec::new();
+    let fingerprint = gpu.fingerprint();
+    if precision != Precision::Exact && !fingerprint.is_ieee() {
+        notes.push(format!(
+            "this device's f32 arithmetic ({}) is not IEEE: its bits differ from the CPU's; see `rayproof devices`",
+            fingerprint.route
+        ));
+    }
+    if let (Precision::Exact, Ok(Some(second))) = (precision, gpu.second_stage())
+        && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && second.rest.is_some())
+    {
+        notes.push(format!(
+            "this device's arithmetic is not all IEEE or has no f64: exact by f32, then {second}, then the CPU"
+        ));
+    }
+    DeviceInfo { name: gpu.name().to_owned(), driver: gpu.driver(), notes }
+}
