@@ -44,7 +44,7 @@ impl ParquetRays {
     /// Reads the footer.
     pub(super) fn open(path: &Path, file: File) -> Result<Self, Error> {
         let name = path.display().to_string();
-        let broken = |error| broken(path, &error);
+        let broken = |error: String| broken(path, &error);
         let footer = guarded(|| ArrowReaderMetadata::load(&file, ArrowReaderOptions::new())).map_err(broken)?;
         let columns = columns(footer.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
         let rows = footer.metadata().file_metadata().num_rows();
@@ -134,7 +134,7 @@ impl Source for ParquetRays {
     }
 
     fn select(&mut self, rows: Range<u64>) -> Result<(), Error> {
-        let (mut groups, mut offset, mut start) = (Vec::new(), 0, 0);
+        let (mut groups, mut offset, mut start) = (Vec::new(), 0, 0_u64);
         for (i, group) in self.footer.metadata().row_groups().iter().enumerate() {
             let held = u64::try_from(group.num_rows()).map_err(|e| broken(&self.path, &e.to_string()))?;
             let end = start.saturating_add(held);
