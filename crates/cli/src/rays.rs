@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use rayproof::BATCH;
 use rayproof::files::RayWriter;
 use rayproof::rays::{Diffuse, Incoherent, Primary};
 use rayproof::scene::{Camera, Ray, Scene};
-use rayproof::BATCH;
 
 use crate::args::Rays;
 use crate::choices::Kind;

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use bytemuck::{Pod, Zeroable};
+use rayproof_scene::random::Random;
 
 use crate::Error;
 use crate::compute::Alone;
@@ -129,11 +130,8 @@ impl<'c> Trial<'c> {
 
 /// Two whole numbers of 48 bits each, as the upper and lower 24 bits.
 fn pairs() -> Vec<[u32; 4]> {
-    let mut state = 0x0af4_c319_77e0_51d2_u64;
-    let mut next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        u32::try_from(state >> 40).expect("24 bits")
-    };
+    let mut random = Random::new(0x0af4_c319_77e0_51d2, 0);
+    let mut next = || u32::try_from(random.below(1 << 24)).expect("24 bits");
     (0..PAIRS).map(|_| [next() | 1 << 23, next(), next() | 1 << 23, next()]).collect()
 }
 
