@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-pub(crate) use rayproof_gpu::{Engine, Error, Gpu, Open, Selector};
+pub use rayproof_gpu::Error;
+pub(crate) use rayproof_gpu::{Engine, Gpu, Open, Selector};
 use rayproof_tree::Bvh;
 
 use crate::{Device, DeviceInfo, Precision};
