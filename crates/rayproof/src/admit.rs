@@ -3,40 +3,42 @@
 use std::borrow::Cow;
 
 use rayon::prelude::*;
-use rayproof_scene::{INVALID_RAY, InvalidRays, Ray};
+use rayproof_scene::{INVALID_RAY, InvalidRays, Ray, RayFault};
 
 use crate::Error;
 
 /// Rays looked at by one task.
 const TASK: usize = 1 << 14;
 
-/// The rays as an engine may have them, and how many of them stand in for bad ones.
+/// The rays as an engine may have them, and how many of them now stand in for bad ones. What stands in for one already, since a
+/// reader counted it, is admitted.
 ///
 /// # Errors
 /// [`Error::InvalidRay`] at the first bad one, where they are refused.
 pub(crate) fn admit(rays: &[Ray], invalid: InvalidRays) -> Result<(Cow<'_, [Ray]>, u64), Error> {
-    let bad = |ray: &&Ray| ray.fault().is_some();
-    let count: usize = rays.par_chunks(TASK).map(|rays| rays.iter().filter(bad).count()).sum();
+    let count: usize = rays.par_chunks(TASK).map(|rays| rays.iter().filter_map(fault).count()).sum();
     if count == 0 {
         return Ok((Cow::Borrowed(rays), 0));
     }
     match invalid {
         InvalidRays::Miss => {
-            let admitted = rays.iter().map(|ray| if ray.fault().is_some() { INVALID_RAY } else { *ray }).collect();
+            let admitted = rays.iter().map(|ray| if fault(ray).is_some() { INVALID_RAY } else { *ray }).collect();
             Ok((Cow::Owned(admitted), count as u64))
         }
         InvalidRays::Error => {
-            let mut faults = rays.iter().enumerate().filter_map(|(index, ray)| Some((index, ray.fault()?)));
+            let mut faults = rays.iter().enumerate().filter_map(|(index, ray)| Some((index, fault(ray)?)));
             let (index, fault) = faults.next().expect("some are bad");
             Err(Error::InvalidRay { index, fault, more: count - 1 })
         }
     }
 }
 
+fn fault(ray: &Ray) -> Option<RayFault> {
+    ray.fault().filter(|_| *ray != INVALID_RAY)
+}
+
 #[cfg(test)]
 mod tests {
-    use rayproof_scene::RayFault;
-
     use super::*;
 
     #[test]
@@ -49,7 +51,7 @@ mod tests {
             Ray::new([0.0; 3], [f32::NAN; 3]),
             Ray::new([0.0; 3], [0.0; 3]),
         ];
-        assert!(matches!(admit(&[good; 3], InvalidRays::Error), Ok((Cow::Borrowed(_), 0))));
+        assert!(matches!(admit(&[good, INVALID_RAY, good], InvalidRays::Error), Ok((Cow::Borrowed(_), 0))));
         for ray in bad {
             let rays = [good, ray, good, ray];
             let (admitted, count) = admit(&rays, InvalidRays::Miss).expect("counted");

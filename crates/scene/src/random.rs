@@ -49,6 +49,12 @@ impl Random {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// A number from 0 to 1, 1 excluded, in steps of 2^-24.
+    #[expect(clippy::cast_precision_loss, reason = "24 bits fit")]
+    pub const fn single(&mut self) -> f32 {
+        (self.bits() >> 40) as f32 / (1_u32 << 24) as f32
+    }
+
     /// A point of the unit cube.
     pub const fn in_cube(&mut self) -> DVec3 {
         DVec3::new(self.unit(), self.unit(), self.unit())

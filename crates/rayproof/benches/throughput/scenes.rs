@@ -25,7 +25,7 @@ fn spheres() -> Scene {
     let mut random = Random::new(3, 0);
     let mut sphere = |_| {
         let center = random.in_cube().as_vec3() * 100.0;
-        Sphere { center, radius: 0.1 + 0.4 * random.unit() as f32 }
+        Sphere { center, radius: 0.1 + 0.4 * random.single() }
     };
     Scene::new(vec![Geometry::Spheres((0..1_000_000).map(&mut sphere).collect())]).expect("made of finite numbers")
 }

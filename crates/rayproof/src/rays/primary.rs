@@ -54,7 +54,7 @@ mod tests {
     #[test]
     fn a_picture_without_pixels_has_no_rays() {
         for (width, height) in [(0, 0), (0, 3), (3, 0)] {
-            assert_eq!(row_blocks(width, height, 2).map(|rows| rows.len() as u32 * width).sum::<u32>(), 0);
+            assert_eq!(row_blocks(width, height, 2).map(|rows| rows.len()).sum::<usize>() * width as usize, 0);
         }
     }
 }

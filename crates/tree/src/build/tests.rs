@@ -9,7 +9,7 @@ use crate::Scaling;
 /// A scene of both kinds, from a fixed seed, with duplicates and one far larger than the rest.
 fn scene(triangles: usize, spheres: usize) -> Scene {
     let mut random = Random::new(11, 0);
-    let mut x = || random.unit() as f32;
+    let mut x = || random.single();
     let mut mesh = Mesh::default();
     for i in 0..triangles {
         let at = Vec3::new(x(), x(), x()) * if i % 5 == 0 { 0.0 } else { 10.0 };
