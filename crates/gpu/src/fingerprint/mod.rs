@@ -3,7 +3,6 @@
 mod print;
 
 use bytemuck::{Pod, Zeroable};
-use rayproof_scene::random::Random;
 
 use crate::Error;
 use crate::context::Context;
@@ -170,9 +169,14 @@ fn ordinary(x: f32) -> bool {
 /// Pairs with magnitudes from 2^-12 to 2^12, so that sums lose bits and `f64` holds them all; then small ones, subnormals beside
 /// zero and beside each other, and NaN.
 fn pairs() -> Vec<[f32; 2]> {
-    let mut random = Random::new(0x005e_ed00, 0);
+    // A generator of its own: devices have been measured with these very pairs, and a test holds what one of them gave.
+    let mut state = 0x005e_ed00_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state >> 33
+    };
     let mut number = |low: u64, span: u64| {
-        let (bits, exponent, sign) = (random.below(1 << 23), low + random.below(span), random.below(2));
+        let (bits, exponent, sign) = (next() & 0x7f_ffff, low + next() % span, next() & 1);
         f32::from_bits(u32::try_from((sign << 31) | (exponent << 23) | bits).expect("32 bits"))
     };
     let mut pairs: Vec<[f32; 2]> = (0..PAIRS - 512).map(|_| [number(127 - 12, 25), number(127 - 12, 25)]).collect();
