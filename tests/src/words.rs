@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Types that share their name with another of their room, and why.
-const SHARED: [(&str, &str, &str); 6] = [
+const SHARED: [(&str, &str, &str); 8] = [
+    ("rayproof", "Engine", "the scene on a device has that name in `rayproof-gpu`, so what stands in for it has, too"),
+    ("rayproof", "Error", "what stands in for `rayproof-gpu` without devices has its names"),
     ("oracle", "Line", "the second oracle shares nothing with the first but the field's words"),
     ("oracle", "Root", "the second oracle shares nothing with the first but the field's words"),
     ("oracle", "Vector", "the second oracle shares nothing with the first but the field's words"),
