@@ -124,9 +124,22 @@ impl Packed {
 
     /// The largest magnitude a box can reach.
     fn largest(&self) -> f64 {
-        let triangles = self.triangles.iter().map(|t| f64::from(largest(t.a).max(largest(t.b)).max(largest(t.c))));
-        let spheres = self.spheres.iter().map(|s| f64::from(largest(s.center)) + f64::from(s.radius));
-        triangles.chain(spheres).fold(0.0, f64::max)
+        let of_kind = |kind| (0..self.count(kind)).map(move |i| self.reach(kind, i)).fold(0.0, f64::max);
+        Kind::ALL.into_iter().map(of_kind).fold(0.0, f64::max)
+    }
+
+    /// The largest magnitude that the box of primitive `i` of a kind can reach.
+    fn reach(&self, kind: Kind, i: usize) -> f64 {
+        match kind {
+            Kind::Triangle => {
+                let t = &self.triangles[i];
+                f64::from(largest(t.a).max(largest(t.b)).max(largest(t.c)))
+            }
+            Kind::Sphere => {
+                let s = &self.spheres[i];
+                f64::from(largest(s.center)) + f64::from(s.radius)
+            }
+        }
     }
 
     /// How many primitives of a kind there are.
