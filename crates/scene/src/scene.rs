@@ -265,6 +265,7 @@ impl Numbering {
         self.starts.last().copied().unwrap_or(0)
     }
 
+    #[inline]
     fn locate(&self, flat: usize) -> (usize, usize) {
         assert!(flat < self.len(), "primitive {flat} of {}", self.len());
         if let [_, _] = self.starts[..] {
