@@ -33,17 +33,32 @@ impl Ray {
 
     /// Why this ray is not one, or `None` where it is.
     #[must_use]
+    #[inline]
     pub fn fault(&self) -> Option<RayFault> {
+        if self.is_sound() { None } else { Some(self.first_fault()) }
+    }
+
+    /// Whether it has no fault, without a branch: every ray of every batch is asked, and nearly all have none.
+    #[inline(always)]
+    fn is_sound(&self) -> bool {
+        let Self { origin: o, direction: d, t_min, t_max } = self;
+        let finite =
+            o.x.is_finite() & o.y.is_finite() & o.z.is_finite() & d.x.is_finite() & d.y.is_finite() & d.z.is_finite();
+        // A NaN is in no order.
+        finite & ((d.x != 0.0) | (d.y != 0.0) | (d.z != 0.0)) & (t_min <= t_max)
+    }
+
+    /// The first fault of a ray that has one.
+    #[cold]
+    fn first_fault(&self) -> RayFault {
         if !self.origin.is_finite() {
-            Some(RayFault::Origin)
+            RayFault::Origin
         } else if !self.direction.is_finite() {
-            Some(RayFault::Direction)
+            RayFault::Direction
         } else if self.direction == Vec3::ZERO {
-            Some(RayFault::ZeroDirection)
-        } else if self.t_min.is_nan() || self.t_max.is_nan() || self.t_min > self.t_max {
-            Some(RayFault::Range)
+            RayFault::ZeroDirection
         } else {
-            None
+            RayFault::Range
         }
     }
 }
@@ -78,3 +93,34 @@ pub enum InvalidRays {
 
 /// What stands in for a bad ray: finite, and with an empty range, so that nothing can be hit.
 pub const INVALID_RAY: Ray = Ray { origin: Vec3::ZERO, t_min: 1.0, direction: Vec3::X, t_max: 0.0 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_fault_is_named_and_nothing_else_is_one() {
+        let good = Ray { origin: Vec3::ZERO, t_min: 0.0, direction: Vec3::ONE, t_max: 1.0 };
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            for axis in 0..3 {
+                let mut ray = good;
+                ray.origin[axis] = bad;
+                assert_eq!(ray.fault(), Some(RayFault::Origin), "{ray:?}");
+                let mut ray = good;
+                ray.direction[axis] = bad;
+                assert_eq!(ray.fault(), Some(RayFault::Direction), "{ray:?}");
+            }
+        }
+        assert_eq!(Ray { direction: Vec3::new(0.0, -0.0, 0.0), ..good }.fault(), Some(RayFault::ZeroDirection));
+        for (t_min, t_max) in [(f32::NAN, 1.0), (0.0, f32::NAN), (1.0, 0.0), (f32::INFINITY, 1.0)] {
+            assert_eq!(Ray { t_min, t_max, ..good }.fault(), Some(RayFault::Range), "{t_min} {t_max}");
+        }
+        let tiny = f32::from_bits(1);
+        for direction in [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * tiny) {
+            assert_eq!(Ray { direction, ..good }.fault(), None, "{direction:?}");
+        }
+        for (t_min, t_max) in [(1.0, 1.0), (f32::NEG_INFINITY, f32::INFINITY), (f32::INFINITY, f32::INFINITY)] {
+            assert_eq!(Ray { t_min, t_max, ..good }.fault(), None, "{t_min} {t_max}");
+        }
+    }
+}
