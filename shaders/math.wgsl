@@ -13,11 +13,41 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-// x 2^n in two steps, exact unless the result is subnormal or overflows. n is held within -252 and 252.
+// x 2^n, n held within -252 and 252: exact, or where it is subnormal the nearest. By the bits of x and of the result, so that
+// neither is lost on a device that takes subnormals for 0.
 fn scale_by_power(x: f32, n: i32) -> f32 {
-    let m = clamp(n, -252, 252);
-    let half = m >> 1u;
-    return x * power_of_two(half) * power_of_two(m - half);
+    let bits = bitcast<u32>(x);
+    let sign = bits & 0x80000000u;
+    var size = bits & 0x7fffffffu;
+    if size == 0u || size >= 0x7f800000u {
+        return x;
+    }
+    var by = clamp(n, -252, 252);
+    if size < 0x00800000u {
+        // size 2^-149; as a whole number it is normal.
+        size = bitcast<u32>(f32(size));
+        by -= 149;
+    }
+    let exponent = i32(size >> 23u) + by;
+    if exponent >= 255 {
+        return bitcast<f32>(sign | 0x7f800000u);
+    }
+    if exponent > 0 {
+        return bitcast<f32>(sign | (size + (bitcast<u32>(by) << 23u)));
+    }
+    return bitcast<f32>(sign | shifted((size & 0x007fffffu) | 0x00800000u, u32(min(1 - exponent, 25))));
+}
+
+// x 2^-n, n at least 1, as the nearest whole number, ties to even.
+fn shifted(x: u32, n: u32) -> u32 {
+    let kept = x >> n;
+    let rest = x & ((1u << n) - 1u);
+    let half = 1u << (n - 1u);
+    return kept + u32(rest > half || (rest == half && (kept & 1u) == 1u));
+}
+
+fn scale_point(p: vec3<f32>, n: i32) -> vec3<f32> {
+    return vec3<f32>(scale_by_power(p.x, n), scale_by_power(p.y, n), scale_by_power(p.z, n));
 }
 
 // floor(log2 x) of a normal x > 0.
@@ -54,7 +84,7 @@ fn scale_high_end(x: f32, n: i32) -> f32 {
 
 const SMALLEST_NORMAL: f32 = 1.1754943508222875e-38; // 2^-126
 
-// 0 has one sign in answers; and where a device compares a subnormal as 0, so that one just below 0 passed for inside, it is 0.
+// 0 has one sign in answers; and what a device compares as 0, so that a subnormal just below 0 passes for inside, is 0.
 fn without_sign(x: f32) -> f32 {
     return select(x, 0.0, x == 0.0);
 }

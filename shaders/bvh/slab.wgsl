@@ -54,7 +54,7 @@ fn unit_direction(direction: vec3<f32>) -> UnitDirection {
     var d = direction;
     var exponent = 0;
     if largest(d) < 7.888609052210118e-31 { // 2^-100: lift subnormals, exactly
-        d = d * 1.2676506002282294e30;
+        d = scale_point(d, 100);
         exponent = -100;
     }
     let shift = exponent_of(largest(d)) - 1;
@@ -109,7 +109,9 @@ fn child_keys(ray: BoxRay, node: Node, s_max: f32) -> vec4<f32> {
     let far = leave * select(vec4<f32>(NARROW), vec4<f32>(WIDEN), leave > vec4<f32>(0.0)) + ray.slack;
     let met = (near <= far) & (near <= vec4<f32>(s_max)) & (far >= vec4<f32>(ray.s_min));
     let there = node.children != vec4<u32>(MISS);
-    let key = bitcast<vec4<f32>>((bitcast<vec4<u32>>(near) & vec4<u32>(0xfffffffcu)) | vec4<u32>(0u, 1u, 2u, 3u));
+    // Where a device compares subnormals as 0, slots beside a zero would all be one key: it is moved down to -2^-100.
+    let clear = select(near, vec4<f32>(-7.888609052210118e-31), abs(near) < vec4<f32>(7.888609052210118e-31));
+    let key = bitcast<vec4<f32>>((bitcast<vec4<u32>>(clear) & vec4<u32>(0xfffffffcu)) | vec4<u32>(0u, 1u, 2u, 3u));
     return select(vec4<f32>(NOT_HIT), key, met & there);
 }
 

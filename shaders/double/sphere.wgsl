@@ -13,11 +13,11 @@ fn intersect_sphere(ray: PreparedRay, center: vec3<f32>, radius: f32) -> Candida
     }
     let h = root(discriminant);
     let q = sub(n(0.0), pick(add(b, h), sub(b, h), less(b, n(0.0))));
-    let t1 = about(div(q, a));
+    let t1 = to_f32(div(q, a));
     // q = 0 only where b = D = 0: a double root at 0.
     var t2 = t1;
     if less(q, n(0.0)) || less(n(0.0), q) {
-        t2 = about(div(sub(dot_n(o, o), r2), q));
+        t2 = to_f32(div(sub(dot_n(o, o), r2), q));
     }
     let near = select(t2, t1, t1 < t2);
     let far = select(t1, t2, t1 < t2);

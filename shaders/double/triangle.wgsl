@@ -15,9 +15,9 @@ fn intersect_triangle(ray: PreparedRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>
     if outside || !less(n(0.0), scale) {
         return NO_HIT;
     }
-    let t = about(div(signed(dot_n(normal, p), negative), scale));
+    let t = to_f32(div(signed(dot_n(normal, p), negative), scale));
     return Candidate(
-        t >= ray.t_min && t <= ray.t_max, t, about(div(weight_u, scale)), about(div(weight_v, scale)));
+        t >= ray.t_min && t <= ray.t_max, t, to_f32(div(weight_u, scale)), to_f32(div(weight_v, scale)));
 }
 
 fn signed(x: N, negative: bool) -> N {

@@ -24,8 +24,7 @@ fn lost_any(given: vec3<f32>, scaled: vec3<f32>) -> bool {
 fn prepared_ray(ray: Ray, unit: UnitDirection) -> PreparedRay {
     let m = params.scene_exponent;
     let e = unit.exponent + m;
-    let origin = vec3<f32>(
-        scale_by_power(ray.origin.x, m), scale_by_power(ray.origin.y, m), scale_by_power(ray.origin.z, m));
+    let origin = scale_point(ray.origin, m);
     let t_min = clamp(scale_by_power(ray.t_min, e), -FARTHEST, FARTHEST);
     let t_max = clamp(scale_by_power(ray.t_max, e), -FARTHEST, FARTHEST);
     let ordinary = largest(origin) + params.scene_size < 3.602879701896397e16 // 2^55

@@ -5,7 +5,6 @@
 fn prepared_ray(ray: Ray, unit: UnitDirection) -> PreparedRay {
     let m = params.scene_exponent;
     let n = unit.exponent + m;
-    let origin = vec3<f32>(
-        scale_by_power(ray.origin.x, m), scale_by_power(ray.origin.y, m), scale_by_power(ray.origin.z, m));
+    let origin = scale_point(ray.origin, m);
     return PreparedRay(origin, unit.direction, scale_low_end(ray.t_min, n), scale_high_end(ray.t_max, n), 0, -n);
 }

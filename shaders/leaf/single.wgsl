@@ -51,6 +51,7 @@ fn trace(given: Ray) -> Hit {
     let unit = unit_direction(given.direction);
     let ray = prepared_ray(given, unit);
     let hit = traverse(unit, ray);
-    let t = scale_by_power(hit.t, ray.out_exponent);
-    return Hit(without_sign(t), without_sign(hit.u), without_sign(hit.v), hit.primitive);
+    let t = scale_by_power(without_sign(hit.t), ray.out_exponent);
+    // A t that became 0: by its bits, since a subnormal one is no 0.
+    return Hit(select(t, 0.0, is_zero(t)), without_sign(hit.u), without_sign(hit.v), hit.primitive);
 }

@@ -51,7 +51,7 @@ const TOP: [&str; 8] =
 const TWINS: &str = "crates/cpu/src/twin";
 
 /// The kernels without a twin: a file, or all files of a folder, and why.
-const WITHOUT_TWIN: [(&str, &str); 9] = [
+const WITHOUT_TWIN: [(&str, &str); 10] = [
     ("fingerprint.wgsl", "measures the device"),
     ("exact/number/trial.wgsl", "measures the device"),
     ("ray_query.wgsl", "a peer, not a kernel of ours"),
@@ -59,6 +59,7 @@ const WITHOUT_TWIN: [(&str, &str); 9] = [
     ("exact/query/", "entry points: on the CPU a batch is `engine.rs`"),
     ("exact/list.wgsl", "what a pass leaves to the next: the CPU decides on the spot, in `exact/second.rs`"),
     ("exact/round/", "the CPU rounds otherwise and to the end, in `exact/values.rs`"),
+    ("exact/number/narrow.wgsl", "a conversion that no compiler can fold: the CPU's is not folded"),
     ("exact/number/single_", "one line each: a roundoff, of which the CPU's stands in `number/single.rs`"),
     ("exact/number/pair_of_f32.wgsl", "two constants: the CPU's are `Part for f32` in `number/pair.rs`"),
 ];

@@ -13,7 +13,7 @@ use crate::dump;
 use crate::engine::OnDevice;
 use crate::error::causes;
 use crate::gpu::Gpu;
-use crate::kernel::{Kernel, Pass, Query, Walk};
+use crate::kernel::{Kernel, Listed, Pass, Query, Walk};
 
 /// Chunks in flight: one uploading, one at work, one coming back.
 const SLOTS: usize = 3;
@@ -36,17 +36,21 @@ struct Params {
     scene_size: f32,
 }
 
-/// The two counters at the head of the list in `shaders/exact/list.wgsl`, in a readback.
+/// The head of the list in `shaders/exact/list.wgsl` before the first pass: two counters, then for each of the two lists the
+/// workgroups that take it, as an indirect dispatch wants them.
+const HEAD: [u32; 8] = [0, 0, 0, 1, 1, 0, 1, 1];
+
+/// The two counters, in a readback.
 const COUNTERS: u64 = 8;
+
+/// What an indirect dispatch reads.
+const INDIRECT: u64 = 12;
 
 /// The device's clock before and after the kernels, in a readback.
 const TICKS: u64 = 16;
 
 /// What follows the answers in a readback.
 const TAIL: u64 = COUNTERS + TICKS;
-
-/// Workgroups of a pass over a list, whose length only the device knows.
-const LIST_GROUPS: u32 = 1024;
 
 /// The kernels of a query, one after the other, with their buffers.
 pub(crate) struct Stream {
@@ -68,6 +72,8 @@ struct Slot {
     rays: wgpu::Buffer,
     hits: wgpu::Buffer,
     list: wgpu::Buffer,
+    /// The workgroups of a pass over a list, whose length only the device knows: a copy, since kernels write the list itself.
+    groups: wgpu::Buffer,
     readback: wgpu::Buffer,
     /// Where the device has a clock: the two readings, and the buffer that they come out to.
     clock: Option<(wgpu::QuerySet, wgpu::Buffer)>,
@@ -119,10 +125,11 @@ impl Stream {
             let readback = context.buffer("readback", hits + TAIL, Usage::MAP_READ | Usage::COPY_DST);
             let hits = context.buffer("hits", hits, Usage::STORAGE | Usage::COPY_SRC);
             let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
-            let list = context.buffer("list", (COUNTERS + lists).max(16), usage);
+            let list = context.buffer("list", size_of_val(&HEAD) as u64 + lists, usage);
+            let groups = context.buffer("groups", INDIRECT, Usage::INDIRECT | Usage::COPY_DST);
             let buffers = [&params, &rays, &hits, &list].into_iter().chain(&scene.buffers);
             let bindings = context.bind(&self.layout, buffers);
-            Slot { params, rays, hits, list, readback, clock: context.clock(), bindings }
+            Slot { params, rays, hits, list, groups, readback, clock: context.clock(), bindings }
         };
         self.slots = context.making(|| Ok((0..SLOTS).map(|_| slot()).collect()))?;
         self.capacity = wanted;
@@ -168,7 +175,7 @@ impl Stream {
         at: usize,
         rays: &[Ray],
     ) -> Result<Flight, Error> {
-        let Slot { params, rays: buffer, hits, list, readback, clock, bindings } = &self.slots[slot];
+        let Slot { params, rays: buffer, hits, list, readback, clock, .. } = &self.slots[slot];
         let ray_count = u32::try_from(rays.len()).expect("no more than LARGEST_CHUNK");
         let groups = ray_count.div_ceil(WORKGROUP);
         let row = groups.min(self.widest);
@@ -176,25 +183,9 @@ impl Stream {
         let queue = &context.handles.queue;
         queue.write_buffer(params, 0, bytemuck::bytes_of(&given));
         queue.write_buffer(buffer, 0, bytemuck::cast_slice(rays));
+        queue.write_buffer(list, 0, bytemuck::bytes_of(&HEAD));
         let mut encoder = context.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.clear_buffer(list, 0, Some(COUNTERS));
-        {
-            let timestamp_writes = clock.as_ref().map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
-                query_set,
-                beginning_of_pass_write_index: Some(0),
-                end_of_pass_write_index: Some(1),
-            });
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: None, timestamp_writes });
-            pass.set_bind_group(0, bindings, &[]);
-            for (pipeline, part) in &self.passes {
-                pass.set_pipeline(pipeline);
-                if part.is_of_list() {
-                    pass.dispatch_workgroups(groups.min(LIST_GROUPS).min(self.widest), 1, 1);
-                } else {
-                    pass.dispatch_workgroups(row, groups.div_ceil(row.max(1)), 1);
-                }
-            }
-        }
+        self.encode(&mut encoder, &self.slots[slot], [row, groups.div_ceil(row.max(1))]);
         let bytes = rays.len() as u64 * self.query.answer_size();
         encoder.copy_buffer_to_buffer(hits, 0, readback, 0, bytes);
         encoder.copy_buffer_to_buffer(list, 0, readback, bytes, COUNTERS);
@@ -209,6 +200,35 @@ impl Stream {
             let _ = sender.send(result);
         });
         Ok(Flight { slot, at, count: rays.len(), submission, mapped })
+    }
+
+    /// Each pass after the one before: over all rays, in so many workgroups, or over the list that was left to it.
+    fn encode(&self, encoder: &mut wgpu::CommandEncoder, slot: &Slot, [row, rows]: [u32; 2]) {
+        let last = self.passes.len() - 1;
+        for (i, (pipeline, part)) in self.passes.iter().enumerate() {
+            let from = match part.list() {
+                None => None,
+                Some(Listed::Opened) => Some(COUNTERS),
+                Some(Listed::Unrounded) => Some(COUNTERS + INDIRECT),
+            };
+            if let Some(from) = from {
+                encoder.copy_buffer_to_buffer(&slot.list, from, &slot.groups, 0, INDIRECT);
+            }
+            let timestamp_writes = slot.clock.as_ref().map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
+                query_set,
+                beginning_of_pass_write_index: (i == 0).then_some(0),
+                end_of_pass_write_index: (i == last).then_some(1),
+            });
+            // wgpu wants one reading at least.
+            let timestamp_writes = timestamp_writes.filter(|_| i == 0 || i == last);
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: None, timestamp_writes });
+            pass.set_bind_group(0, &slot.bindings, &[]);
+            pass.set_pipeline(pipeline);
+            match from {
+                Some(_) => pass.dispatch_workgroups_indirect(&slot.groups, 0),
+                None => pass.dispatch_workgroups(row, rows, 1),
+            }
+        }
     }
 
     /// Hands over a chunk's answers; returned are the nanoseconds that its kernels ran.

@@ -65,11 +65,24 @@ impl Width {
                 linked,
                 &["exact/number/native.wgsl", "exact/number/single.wgsl", "exact/number/single_by_rule.wgsl"],
             ),
-            Self::Double => link(linked, &["exact/number/native.wgsl", "exact/number/double.wgsl"]),
+            Self::Double => {
+                link(linked, &["exact/number/native.wgsl", "exact/number/double.wgsl", "exact/number/narrow.wgsl"])
+            }
             Self::PairOfF32 => link(linked, &["exact/number/pair.wgsl", "exact/number/pair_of_f32.wgsl"]),
-            Self::PairOfF64 => link(linked, &["exact/number/pair.wgsl", "exact/number/pair_of_f64.wgsl"]),
+            Self::PairOfF64 => {
+                link(linked, &["exact/number/pair.wgsl", "exact/number/pair_of_f64.wgsl", "exact/number/narrow.wgsl"])
+            }
         }
     }
+}
+
+/// A list of rays in `shaders/exact/list.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Listed {
+    /// Those that the first stage left open.
+    Opened,
+    /// Those whose numbers the second could not round.
+    Unrounded,
 }
 
 /// A kernel's part in answering.
@@ -96,9 +109,13 @@ impl Pass {
         first.into_iter().chain(rest)
     }
 
-    /// Whether it takes only the rays that an earlier pass listed.
-    pub(crate) const fn is_of_list(self) -> bool {
-        matches!(self, Self::Second(_) | Self::RoundRest(_))
+    /// The list that an earlier pass left it, where it does not take every ray.
+    pub(crate) const fn list(self) -> Option<Listed> {
+        match self {
+            Self::Trace(_) | Self::First(_) | Self::Round(_) => None,
+            Self::Second(_) => Some(Listed::Opened),
+            Self::RoundRest(_) => Some(Listed::Unrounded),
+        }
     }
 
     const fn rounds(self) -> bool {
@@ -163,7 +180,7 @@ impl Kernel {
             Pass::Trace(precision) => self.link_trace(&mut linked, precision),
             Pass::First(width) | Pass::Second(width) | Pass::Round(width) | Pass::RoundRest(width) => {
                 width.link(&mut linked);
-                self.link_exact(&mut linked);
+                self.link_exact(&mut linked, width);
             }
         }
         linked.add("(the host's bits of words)", &kinds::words(self.kinds));
@@ -205,11 +222,11 @@ impl Kernel {
         }
     }
 
-    fn link_exact(&self, linked: &mut Linked) {
+    fn link_exact(&self, linked: &mut Linked, width: Width) {
         link(linked, &["exact/vector.wgsl", "exact/line.wgsl", "exact/ray.wgsl", "exact/list.wgsl"]);
         if self.pass.rounds() {
             link(linked, &["exact/round/value.wgsl", "exact/round/hit.wgsl"]);
-            self.kinds.iter().for_each(|kind| link(linked, rounded(kind)));
+            self.kinds.iter().for_each(|kind| link(linked, rounded(kind, width)));
             let pass =
                 if matches!(self.pass, Pass::Round(_)) { "exact/round/all.wgsl" } else { "exact/round/rest.wgsl" };
             return link(linked, &[pass]);
@@ -252,9 +269,10 @@ const fn certified(kind: Kind, query: Query) -> &'static [&'static str] {
 }
 
 /// The numbers of a kind's hit.
-const fn rounded(kind: Kind) -> &'static [&'static str] {
-    match kind {
-        Kind::Triangle => &["exact/triangle.wgsl", "exact/round/triangle.wgsl"],
-        Kind::Sphere => &["exact/sphere.wgsl", "exact/round/sphere.wgsl"],
+const fn rounded(kind: Kind, width: Width) -> &'static [&'static str] {
+    match (kind, width) {
+        (Kind::Triangle, Width::PairOfF32) => &["exact/round/words.wgsl", "exact/round/refined_triangle.wgsl"],
+        (Kind::Triangle, _) => &["exact/triangle.wgsl", "exact/round/triangle.wgsl"],
+        (Kind::Sphere, _) => &["exact/sphere.wgsl", "exact/round/sphere.wgsl"],
     }
 }

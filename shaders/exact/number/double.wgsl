@@ -5,5 +5,7 @@ alias N = f64;
 // Twice what rounding to nearest loses: 2^-52.
 const UNIT: f32 = 2.220446049250313e-16;
 
+// A nearby f32, within 2^-22.
+fn about(x: N) -> f32 { return narrow(x); }
 // At least x, and near it.
 fn above(x: N) -> f32 { return about(x) + abs(about(x)) * 2.384185791015625e-7; } // 2^-22

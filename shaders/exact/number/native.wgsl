@@ -11,5 +11,5 @@ fn less(a: N, b: N) -> bool { return a < b; }
 fn smaller(a: N, b: N) -> N { return min(a, b); }
 fn larger(a: N, b: N) -> N { return max(a, b); }
 fn pick(no: N, yes: N, which: bool) -> N { return select(no, yes, which); }
-// A nearby f32, within 2^-22.
-fn about(x: N) -> f32 { return f32(x); }
+// What an answer is written as.
+fn to_f32(x: N) -> f32 { return f32(x); }

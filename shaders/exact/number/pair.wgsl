@@ -73,7 +73,9 @@ fn size(a: N) -> N { return pick(a, negated(a), a.high < Part(0.0)); }
 fn smaller(a: N, b: N) -> N { return pick(a, b, less(b, a)); }
 fn larger(a: N, b: N) -> N { return pick(a, b, less(a, b)); }
 
+// What an answer is written as.
+fn to_f32(x: N) -> f32 { return f32(x.high); }
 // A nearby f32, within 2^-22.
-fn about(x: N) -> f32 { return f32(x.high); }
+fn about(x: N) -> f32 { return narrow(x.high); }
 // At least x, and near it.
 fn above(x: N) -> f32 { return about(x) + abs(about(x)) * 2.384185791015625e-7; } // 2^-22

@@ -6,6 +6,6 @@ fn first(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
         return;
     }
     if !settle(index) {
-        list.rays[atomicAdd(&list.opened, 1u)] = index;
+        leave_open(index);
     }
 }

@@ -11,6 +11,6 @@ fn round_all(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_
     }
     if !write_hit(index, slot) {
         hits[index] = vec4<u32>(slot, 0u, 0u, OPEN);
-        list.rays[params.ray_count + atomicAdd(&list.unrounded, 1u)] = index;
+        leave_unrounded(index);
     }
 }

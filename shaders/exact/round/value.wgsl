@@ -11,8 +11,13 @@ fn half_gap(r: f32) -> f32 {
     return bitcast<f32>(power - select(24u, 25u, bits == power) * 0x00800000u);
 }
 
-fn rounds_to(r: f32, q: N, off: N) -> bool {
+// Whether what lies within `away` of r rounds to it.
+fn settles(r: f32, away: f32) -> bool {
     return abs(r) >= 8.673617379884035e-19 // 2^-60
         && abs(r) <= 1.2676506002282294e30 // 2^100
-        && less(add(size(sub(q, n(r))), off), n(half_gap(r)));
+        && away < half_gap(r);
+}
+
+fn rounds_to(r: f32, q: N, off: N) -> bool {
+    return settles(r, above(add(size(sub(q, n(r))), off)));
 }

@@ -19,19 +19,18 @@ pub(crate) const fn power_of_two(n: i32) -> f32 {
     f32::from_bits(((n + 127) as u32) << 23)
 }
 
+/// The kernel goes by the bits, since a device may take subnormals for 0. Here `f64` holds the product, which is rounded once.
 #[inline(always)]
+#[expect(clippy::cast_possible_truncation, reason = "the nearest")]
+#[expect(clippy::cast_sign_loss, reason = "n is at least -252")]
 pub(crate) fn scale_by_power(x: f32, n: i32) -> f32 {
-    let m = n.clamp(-252, 252);
-    let half = m >> 1;
-    x * power_of_two(half) * power_of_two(m - half)
+    let power = f64::from_bits(((n.clamp(-252, 252) + 1023) as u64) << 52);
+    (f64::from(x) * power) as f32
 }
 
-/// Each coordinate scaled as [`scale_by_power`] does.
 #[inline(always)]
 pub(crate) fn scale_point(p: Vec3A, n: i32) -> Vec3A {
-    let m = n.clamp(-252, 252);
-    let half = m >> 1;
-    p * power_of_two(half) * power_of_two(m - half)
+    Vec3A::from(p.to_array().map(|x| scale_by_power(x, n)))
 }
 
 #[inline(always)]

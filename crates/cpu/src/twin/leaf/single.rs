@@ -61,7 +61,7 @@ impl<const ANY: bool> Closest<ANY> {
         if primitive == MISS {
             return FlatHit::MISS;
         }
-        let t = scale_by_power(t, ray.out_exponent);
+        let t = scale_by_power(without_sign(t), ray.out_exponent);
         FlatHit { t: without_sign(t), u: without_sign(u), v: without_sign(v), primitive }
     }
 }
