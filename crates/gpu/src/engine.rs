@@ -11,7 +11,7 @@ use rayproof_tree::Bvh;
 use crate::Error;
 use crate::batch::Stream;
 use crate::context::Context;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, NO_BOUND};
 use crate::kernel::{Pass, Query, Walk, Width};
 use crate::kinds::{self, List};
 use crate::pages::{Pages, check_bindings};
@@ -79,27 +79,22 @@ impl Engine {
     /// Puts a tree, scaled for `precision`, on a device.
     ///
     /// # Errors
-    /// When the device cannot hold it or fails; [`Error::Unsupported`] for the precision `double` where it has no `f64`, and for
-    /// `exact` where it has no numbers for the second stage or the scene is not [plain](Bvh::plain).
+    /// When the device cannot hold it or fails; [`Error::Unsupported`] where the precision does not [suit](Gpu::refuses) device and
+    /// scene.
     pub fn new(gpu: Arc<Gpu>, bvh: &Bvh, precision: Precision) -> Result<Self, Error> {
+        if let Some(why) = gpu.refuses(precision, bvh)? {
+            return Err(refused(&gpu, precision, why));
+        }
         if precision != Precision::Exact {
-            if precision == Precision::Double && !gpu.context.has_f64() {
-                let what = format!("{} has no f64, which the precision double computes in", gpu.name());
-                return Err(Error::Unsupported { what });
-            }
             return Self::with_passes(gpu, bvh, Passes::Single(precision));
         }
-        let refused = || refused(&gpu, "none of its numbers keep the errors of their roundings");
-        let second = gpu.second_stage()?.ok_or_else(refused)?;
+        let second = gpu.second_stage()?.ok_or_else(|| refused(&gpu, precision, NO_BOUND))?;
         let first = if gpu.fingerprint().is_ieee() { Width::Single } else { Width::SingleByRule };
         Self::exact(gpu, bvh, first, second)
     }
 
     /// The precision `exact` with these numbers.
     pub(crate) fn exact(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, second: SecondStage) -> Result<Self, Error> {
-        if !bvh.plain {
-            return Err(refused(&gpu, "the scene's numbers are too far apart"));
-        }
         Self::with_passes(gpu, bvh, Passes::Exact { first, second: second.width, rest: second.rest })
     }
 
@@ -220,8 +215,8 @@ impl Engine {
     }
 }
 
-fn refused(gpu: &Gpu, why: &str) -> Error {
-    Error::Unsupported { what: format!("the precision exact does not run on {}: {why}", gpu.name()) }
+pub(crate) fn refused(gpu: &Gpu, precision: Precision, why: &str) -> Error {
+    Error::Unsupported { what: format!("the precision {} does not run on {}: {why}", precision.name(), gpu.name()) }
 }
 
 impl OnDevice {

@@ -3,6 +3,9 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
+use rayproof_scene::Precision;
+use rayproof_tree::Bvh;
+
 use crate::Error;
 use crate::adapter::{Adapters, Selector, driver};
 use crate::context::{Context, Handles};
@@ -10,6 +13,9 @@ use crate::fingerprint::Fingerprint;
 use crate::link::Linked;
 use crate::route::Route;
 use crate::second_stage::SecondStage;
+
+/// Why `exact` does not run on a device whose numbers fail their trials.
+pub(crate) const NO_BOUND: &str = "no bound holds for its arithmetic; see `rayproof devices`";
 
 /// An open device, with its arithmetic measured.
 pub struct Gpu {
@@ -84,6 +90,22 @@ impl Gpu {
             return Ok(second);
         }
         Ok(*known.insert(SecondStage::on(&self.context, self.fingerprint.route)?))
+    }
+
+    /// Why a precision does not run on this device with a scene, if it does not: its promise would not hold.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn refuses(&self, precision: Precision, bvh: &Bvh) -> Result<Option<&'static str>, Error> {
+        Ok(match precision {
+            Precision::Double if !self.context.has_f64() => Some("it has no f64"),
+            Precision::Fast if !self.fingerprint.keeps_subnormals() && !bvh.roomy => {
+                Some("it takes subnormal numbers for 0, and the scene's numbers are so far apart that they matter")
+            }
+            Precision::Exact if !bvh.plain => Some("the scene's numbers are too far apart for bounds in f32"),
+            Precision::Exact if self.second_stage()?.is_none() => Some(NO_BOUND),
+            _ => None,
+        })
     }
 
     /// Compiles one entry point of a kernel that people call by the second name, or finds it compiled.

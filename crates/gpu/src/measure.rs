@@ -4,10 +4,12 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
 use std::time::Duration;
 
+use rayproof_scene::Precision;
 use rayproof_tree::Bvh;
 
 use crate::adapter::{Adapters, Selector};
 use crate::context::Context;
+use crate::engine::refused;
 use crate::kernel::{Walk, Width};
 use crate::{Engine, Error, Fingerprint, Gpu, Route, SecondStage};
 
@@ -47,7 +49,10 @@ impl Engine {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn with_numbers(gpu: Arc<Gpu>, bvh: &Bvh, first: Width, second: SecondStage) -> Result<Self, Error> {
-        Self::exact(gpu, bvh, first, second)
+        match gpu.refuses(Precision::Exact, bvh)? {
+            Some(why) => Err(refused(&gpu, Precision::Exact, why)),
+            None => Self::exact(gpu, bvh, first, second),
+        }
     }
 
     /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.

@@ -15,17 +15,14 @@ pub(crate) fn suited<'d>(
     precision: Precision,
 ) -> Result<Result<&'d Arc<Gpu>, Option<String>>, Error> {
     let Some(gpu) = &device.gpu else { return Ok(Err(device.note.clone())) };
-    if precision != Precision::Exact {
-        return Ok(Ok(gpu));
-    }
-    let reason = if !bvh.plain {
-        "the scene's numbers are too far apart for bounds in f32"
-    } else if gpu.second_stage()?.is_none() {
-        "no bound holds for its arithmetic; see `rayproof devices`"
-    } else {
-        return Ok(Ok(gpu));
-    };
-    Ok(Err(Some(format!("{} is not used: {reason}; the answers are as exact", gpu.name()))))
+    Ok(match (precision, gpu.refuses(precision, bvh)?) {
+        // Asked for by name, and nothing else computes so: the engine's error says why.
+        (_, None) | (Precision::Double, _) => Ok(gpu),
+        (Precision::Exact, Some(why)) => {
+            Err(Some(format!("{} is not used: {why}; the answers are as exact", gpu.name())))
+        }
+        (_, Some(why)) => Err(Some(format!("{} is not used: {why}; the CPU engine answers", gpu.name()))),
+    })
 }
 
 pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {

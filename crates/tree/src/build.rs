@@ -42,6 +42,7 @@ pub(crate) fn build(packed: Packed) -> Bvh {
         size: packed.size,
         stack_depth: 0,
         plain: packed.plain,
+        roomy: packed.roomy,
         originals: packed.originals.as_ref().map(|_| Originals::default()),
     };
     if Kind::ALL.into_iter().all(|kind| packed.count(kind) == 0) {

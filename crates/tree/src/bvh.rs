@@ -24,6 +24,9 @@ pub struct Bvh {
     /// Whether scaling cost no bit and every number but zero is in the range for which the precision `exact` has bounds in
     /// `f32`: from `2^-100` up, boxes within `2^25`.
     pub plain: bool,
+    /// Whether it is plain and every triangle and sphere is of no extent or of at least `2^-33`: then single precision does not
+    /// miss the subnormals where a device takes them for 0.
+    pub roomy: bool,
     /// The primitives as they were, in the order of `triangles` and `spheres`, where scaling cost a bit.
     pub originals: Option<Originals>,
 }

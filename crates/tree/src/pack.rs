@@ -51,6 +51,7 @@ pub(crate) struct Packed {
     pub(crate) scale_exponent: i32,
     pub(crate) size: f32,
     pub(crate) plain: bool,
+    pub(crate) roomy: bool,
     pub(crate) originals: Option<Originals>,
 }
 
@@ -67,6 +68,7 @@ impl Packed {
             scale_exponent,
             size: 0.0,
             plain: false,
+            roomy: false,
             originals: None,
         };
         for (index, geometry) in scene.geometries().iter().enumerate() {
@@ -75,8 +77,17 @@ impl Packed {
         packed.size = power_of_two_above(packed.largest());
         let (exact, large) = packed.compare(scene);
         packed.plain = exact && large && packed.size <= PLAIN[1];
+        packed.roomy = packed.plain && packed.has_cubes();
         packed.originals = (!exact).then(|| originals(scene));
         packed
+    }
+
+    /// Whether products of three extents are clear of subnormals, for every primitive that has one.
+    fn has_cubes(&self) -> bool {
+        // The edge of a triangle without extent is the least step above 0.
+        let nothing = f32::from_bits(1);
+        let extents = self.triangles.iter().map(|t| t.edge).chain(self.spheres.iter().map(|s| s.radius));
+        extents.into_iter().all(|extent| extent <= nothing || extent >= ROOMY)
     }
 
     /// Whether scaling cost no bit, and whether every number but zero is large enough to be plain.
@@ -233,6 +244,9 @@ const FAR: [i32; 2] = [-149, 100];
 
 /// Scaled coordinates and radii of a plain scene are zero or between these: no bound of the precision `exact` meets a subnormal.
 const PLAIN: [f32; 2] = [f32::from_bits((127 - 100) << 23), f32::from_bits((127 + 25) << 23)];
+
+/// Products of three extents of at least this are `2^-99`, of which what underflows is less than a rounding, flushed or not.
+const ROOMY: f32 = f32::from_bits((127 - 33) << 23);
 
 /// The magnitudes that decide how a scene is scaled.
 struct Magnitudes {

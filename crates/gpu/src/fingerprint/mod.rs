@@ -84,6 +84,12 @@ impl Fingerprint {
             && self.subnormals_wrong == 0
     }
 
+    /// Whether no subnormal number is taken for 0, as an operand, a result, or where it is compared.
+    #[must_use]
+    pub const fn keeps_subnormals(&self) -> bool {
+        self.subnormals_wrong == 0 && self.comparisons_wrong == 0
+    }
+
     /// Whether error-free transforms survive.
     #[must_use]
     pub const fn keeps_errors(&self) -> bool {
