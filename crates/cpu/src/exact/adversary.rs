@@ -1,12 +1,13 @@
 //! An `f32` arithmetic that errs wherever WGSL and Vulkan let it: products fused into sums or not, rounding to either
-//! neighbour, quotients 2.5 ULP off, square roots by `1 / inverseSqrt`, subnormals flushed.
+//! neighbour, quotients 2.5 ULP off, square roots by `1 / inverseSqrt`, subnormals flushed, as operands and as results.
 
 use std::cell::Cell;
-use std::ops::{Add, Div, Mul, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rayproof_scene::random::Random;
 
 use crate::twin::exact::number::Number;
+use crate::twin::exact::number::pair::Part;
 
 /// Which way results are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +83,11 @@ impl Adverse {
         Self { value, product: None }
     }
 
+    /// As an operand.
+    fn read(self) -> f32 {
+        flushed(self.value)
+    }
+
     /// The exact product, where a sum may and does take it.
     fn fused(self) -> Option<f64> {
         let product = self.product?;
@@ -137,16 +143,16 @@ fn moved(mut x: f32, most: u64) -> f32 {
 fn sum(a: Adverse, b: Adverse) -> Adverse {
     // A fused operation takes one product.
     let (x, y) = match (a.fused(), b.fused()) {
-        (Some(x), None) => (x, f64::from(b.value)),
-        (None, Some(y)) => (f64::from(a.value), y),
+        (Some(x), None) => (x, f64::from(b.read())),
+        (None, Some(y)) => (f64::from(a.read()), y),
         (Some(x), Some(y)) => {
             if lot().is_multiple_of(2) {
-                (x, f64::from(b.value))
+                (x, f64::from(b.read()))
             } else {
-                (f64::from(a.value), y)
+                (f64::from(a.read()), y)
             }
         }
-        (None, None) => (f64::from(a.value), f64::from(b.value)),
+        (None, None) => (f64::from(a.read()), f64::from(b.read())),
     };
     let high = x + y;
     let part = high - x;
@@ -173,7 +179,7 @@ impl Mul for Adverse {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let product = f64::from(self.value) * f64::from(other.value);
+        let product = f64::from(self.read()) * f64::from(other.read());
         Self { value: rounded(product, 0.0), product: Some(product) }
     }
 }
@@ -182,10 +188,22 @@ impl Div for Adverse {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        let quotient = self.value / other.value;
+        let quotient = self.read() / other.read();
         // The nearest is half an ULP off at most.
         Self::new(flushed(if ARITHMETIC.get().loose { moved(quotient, 2) } else { quotient }))
     }
+}
+
+impl Neg for Adverse {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { value: -self.read(), product: self.product.map(|p| -p) }
+    }
+}
+
+impl Part for Adverse {
+    const SPLITTER: Self = Self { value: 4097.0, product: None };
 }
 
 impl Number for Adverse {
@@ -195,27 +213,28 @@ impl Number for Adverse {
         Self::new(x)
     }
     fn abs(self) -> Self {
-        Self { value: self.value.abs(), product: self.product.map(f64::abs) }
+        Self { value: self.read().abs(), product: self.product.map(f64::abs) }
     }
     fn min(self, other: Self) -> Self {
-        if other.value < self.value { Self::new(other.value) } else { Self::new(self.value) }
+        Self::new(if other.less(self) { other.read() } else { self.read() })
     }
     fn max(self, other: Self) -> Self {
-        if other.value > self.value { Self::new(other.value) } else { Self::new(self.value) }
+        Self::new(if self.less(other) { other.read() } else { self.read() })
     }
     #[expect(clippy::cast_possible_truncation, reason = "this is the rounding")]
     fn sqrt(self) -> Self {
-        if !ARITHMETIC.get().loose || self.value == 0.0 {
-            return Self::new(self.value.sqrt());
+        let x = self.read();
+        if !ARITHMETIC.get().loose || x == 0.0 {
+            return Self::new(x.sqrt());
         }
-        let inverse = moved((1.0 / f64::from(self.value).sqrt()) as f32, 1);
+        let inverse = moved((1.0 / f64::from(x).sqrt()) as f32, 1);
         Self::new(moved(1.0 / inverse, 2))
     }
     fn less(self, other: Self) -> bool {
-        flushed(self.value) < flushed(other.value)
+        self.read() < other.read()
     }
     fn equal(self, other: Self) -> bool {
-        flushed(self.value) == flushed(other.value)
+        self.read() == other.read()
     }
     fn pick(no: Self, yes: Self, mask: bool) -> Self {
         if mask { yes } else { no }

@@ -14,6 +14,8 @@ use crate::twin::exact::vector::Vector;
 use crate::twin::exact::{sphere, triangle};
 use crate::twin::math::power_of_two;
 
+mod refined;
+
 /// Hard cases a shape and arithmetic.
 const CASES: usize = 20_000;
 

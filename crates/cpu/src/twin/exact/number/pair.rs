@@ -42,7 +42,7 @@ impl<P: Part> From<P> for Two<P> {
 
 /// `a + b` and what rounding lost.
 #[inline(always)]
-fn two_sum<P: Part>(a: P, b: P) -> Two<P> {
+pub(crate) fn two_sum<P: Part>(a: P, b: P) -> Two<P> {
     let high = a + b;
     let part = high - a;
     Two { high, low: (a - (high - part)) + (b - part) }
@@ -57,7 +57,7 @@ fn quick_two_sum<P: Part>(a: P, b: P) -> Two<P> {
 
 /// A number as a sum of two of half its bits.
 #[inline(always)]
-fn split<P: Part>(a: P) -> Two<P> {
+pub(crate) fn split<P: Part>(a: P) -> Two<P> {
     let scaled = P::SPLITTER * a;
     let high = scaled - (scaled - a);
     Two { high, low: a - high }
@@ -65,7 +65,7 @@ fn split<P: Part>(a: P) -> Two<P> {
 
 /// `a b` and what rounding lost.
 #[inline(always)]
-fn two_product<P: Part>(a: P, b: P) -> Two<P> {
+pub(crate) fn two_product<P: Part>(a: P, b: P) -> Two<P> {
     let high = a * b;
     let (x, y) = (split(a), split(b));
     let low = ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low;
