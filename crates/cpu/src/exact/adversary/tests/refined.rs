@@ -4,7 +4,7 @@
 
 use super::*;
 use crate::twin::exact::number::Number;
-use crate::twin::exact::number::pair::{Two, split, two_product, two_sum};
+use crate::twin::exact::number::pair::{Two, two_product, two_sum};
 use crate::twin::exact::vector::{cross_n, dot_n};
 
 type Words = Vector<Two<Adverse>>;
@@ -33,6 +33,9 @@ const USED: Bounds = Bounds {
     low: ROUNDOFF,
     middle: 1.0,
 };
+
+/// What makes some bound too small.
+type Damage = fn(&mut Bounds);
 
 fn zip(a: Vector<Adverse>, b: Vector<Adverse>) -> Words {
     Vector { x: two_sum(a.x, b.x), y: two_sum(a.y, b.y), z: two_sum(a.z, b.z) }
@@ -210,7 +213,7 @@ fn no_number_is_rounded_wrong_by_refinement() {
 #[test]
 fn refinement_with_bounds_that_are_too_small_is_caught() {
     let careless = Arithmetic { rounding: Rounding::Nearest, fusing: Fusing::Never, loose: true, flushing: true };
-    let damages: [(&str, fn(&mut Bounds)); 2] = [
+    let damages: [(&str, Damage); 2] = [
         ("side", |b| b.side /= 1024.0),
         // Each covers for the others. (What steps lose is too little to show beside `side`.)
         ("plane, determinant and round", |b| (b.plane, b.determinant, b.round) = (0.0, 0.0, 0.0)),

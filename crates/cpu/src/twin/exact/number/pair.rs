@@ -57,7 +57,7 @@ fn quick_two_sum<P: Part>(a: P, b: P) -> Two<P> {
 
 /// A number as a sum of two of half its bits.
 #[inline(always)]
-pub(crate) fn split<P: Part>(a: P) -> Two<P> {
+fn split<P: Part>(a: P) -> Two<P> {
     let scaled = P::SPLITTER * a;
     let high = scaled - (scaled - a);
     Two { high, low: a - high }
