@@ -1,21 +1,21 @@
 // t, u and v of a triangle's hit where f32 is all there is: iterative refinement.
 //
 // With p = a - e, e1 = a - b, e2 = c - a (exact as sums of two f32) a hit solves p = t d + u e1 - v e2. Cramer's rule in f32
-// gives x_0 = (t, u, v), then x_1 from what is left, p_1 = p - t_0 d - u_0 e1 + v_0 e2, and x_2 from p_2: the hit is
-// x_0 + x_1 + x_2, where x_2 is off by the bounds of exact/triangle.wgsl with p_2 in the place of p. No digit is lost to the
-// distance, nor by a small u or v.
+// gives x_0 = (t, u, v), then x_1 from what is left, p_1 = p - t_0 d - u_0 e1 + v_0 e2, x_2 from p_2 and so on: the hit is
+// x_0 + x_1 + .. + x_k, where x_k is off by the bounds of exact/triangle.wgsl with p_k in the place of p. No digit is lost to the
+// distance, nor by a small u or v. Steps end when t, u and v are settled; two do for most rays.
 //
-// What is left is a sum of three f32. Let m be |p| + |t| |d| + (|u| + |v|) edge of a step, by largest components; u = 2^-24:
-// sums and products are to the nearest, or there is no transform.
-// * The four leading terms are at most m, their sums 4 m at most, and lose 2, 3 and 4 m u.
-// * The second words (the three losses, four words of at most m u, and two products of low words of at most m u) are less than
-//   16 m u in all; their eight sums lose at most 16 m u^2 each.
-// * The third words are at most 2 m u^2 and those: 130 m u^2 in all, of which nine sums lose 9 130 m u^3: under 2^-61 m.
-// * A product with the low word of e1 or e2 is rounded: u |u| |low|, and as much for v.
-// Used for both steps: 2^-60 m, and 2 u (|u| + |v|) |low|. Beside p_2's upper words, what they leave out counts: its middle word.
-// All that is `lost`. It moves U and V by 2 |d|_1 edge lost, and T by 6 edge^2 lost: as `far` larger by lost / (9 UNIT) would.
-// Used: lost / (8 UNIT). What underflows in p_1 and p_2 is below 2^-119 for a component: 2^-114 max(M, 1)^2 of U, V and T, a
-// sixteenth of `tiny_triangle`.
+// What is left is a sum of three f32. In a step let F be max(|p|, |t| |d|), w = (|u| + |v|) edge and m = |p - t d| + w, by largest
+// components; u = 2^-24: sums and products are to the nearest, or there is no transform.
+// * The sums of the leading words are at most m and lose u m each.
+// * The second words are those three losses, two words of at most u F, and four of at most u w: S = 2 u F + 7 u m in all. Their
+//   eight sums lose at most u S each.
+// * The third words are at most u^2 F and those: 8.1 u S + u^2 F in all, of which eight sums lose u each: 138 u^3 F + 455 u^3 m.
+//   Used: 2^-64 F + 2^-62 m.
+// * A product with the low word of e1 or e2 is rounded: u |u| |low|, and as much for v. Used: twice that.
+// Beside p_k's upper words, what they leave out counts: its middle word. All that is `lost`. It moves U and V by 2 |d|_1 edge lost,
+// and T by 6 edge^2 lost: as `far` larger by lost / (9 UNIT) would. Used: lost / (8 UNIT). What underflows in p_k is below 2^-118
+// for a component: 2^-113 max(M, 1)^2 of U, V and T, an eighth of `tiny_triangle`.
 
 // What u stands for in exact/triangle.wgsl, with its quotients within 2.5 ULP: 2^-23.
 const ROUNDOFF: f32 = 1.1920928955078125e-7;
@@ -57,8 +57,10 @@ fn lessened(p: Three, x: vec3<f32>, d: Factor, e1: Factor, e2: Factor) -> Three 
 // What the step from p by x may lose.
 fn lost_by(p: Three, x: vec3<f32>, d: Factor, edge: f32, low: f32) -> f32 {
     let weights = abs(x.y) + abs(x.z);
-    let terms = largest(p.high) + abs(x.x) * largest(d.high) + weights * edge;
-    return terms * 8.673617379884035e-19 + weights * low * ROUNDOFF; // 2^-60
+    let far = max(largest(p.high), abs(x.x) * largest(d.high));
+    let near = largest(p.high - x.x * d.high) + weights * edge;
+    // 2^-64 and 2^-62.
+    return far * 5.421010862427522e-20 + near * 2.168404344971009e-19 + weights * low * ROUNDOFF;
 }
 
 fn triangle_values(ray: PreparedRay, index: u32) -> Values {
@@ -71,7 +73,6 @@ fn triangle_values(ray: PreparedRay, index: u32) -> Values {
     let e2 = factor(two_sums(qc.xyz, -qa.xyz));
     let d = factor(Two(direction, vec3<f32>(0.0)));
     let from_origin = two_sums(qa.xyz, -ray.origin);
-    let p0 = Three(from_origin.high, from_origin.low, vec3<f32>(0.0));
 
     let normal = cross3(e2.high, e1.high);
     let determinant = dot3(normal, direction);
@@ -82,31 +83,46 @@ fn triangle_values(ray: PreparedRay, index: u32) -> Values {
     let clear = abs(determinant) > 4.0 * off_determinant;
     let cramer = Cramer(direction, e1.high, e2.high, normal, 1.0 / select(1.0, determinant, clear));
 
-    let x0 = solved(cramer, p0.high);
-    let p1 = lessened(p0, x0, d, e1, e2);
-    let x1 = solved(cramer, p1.high);
-    let p2 = lessened(p1, x1, d, e1, e2);
-    let x2 = solved(cramer, p2.high);
-
     let low = max(largest(e1.low), largest(e2.low));
-    let lost = lost_by(p0, x0, d, edge, low) + lost_by(p1, x1, d, edge, low) + largest(p2.middle);
-    let far = largest(p2.high) + lost * (0.125 / ROUNDOFF);
-    let weight = side * far + tiny;
-    let bound = vec3<f32>(54.0 * ROUNDOFF * edge * edge * far + tiny, weight, weight);
-    let relative = (bound + abs(x2) * off_determinant) * (abs(cramer.inverse) * 1.375);
-    return rounded_sums(x0, x1, x2, relative + abs(x2) * (8.0 * ROUNDOFF), clear);
+    var p = Three(from_origin.high, from_origin.low, vec3<f32>(0.0));
+    var x = solved(cramer, p.high);
+    var total = Total(x, vec3<f32>(0.0), vec3<f32>(0.0));
+    var lost = 0.0;
+    var settled = false;
+    for (var k = 0; k < STEPS && clear && !settled; k += 1) {
+        lost += lost_by(p, x, d, edge, low);
+        p = lessened(p, x, d, e1, e2);
+        x = solved(cramer, p.high);
+        total = plus(total, x);
+        let far = largest(p.high) + (lost + largest(p.middle)) * (0.125 / ROUNDOFF);
+        let weight = side * far + tiny;
+        let bound = vec3<f32>(54.0 * ROUNDOFF * edge * edge * far + tiny, weight, weight);
+        let relative = (bound + abs(x) * off_determinant) * (abs(cramer.inverse) * 1.375);
+        settled = is_settled(total, relative + abs(x) * (8.0 * ROUNDOFF));
+    }
+    return Values(settled, total.high.x, total.high.y, total.high.z);
 }
 
-// The sums rounded, where each is within `off`.
-fn rounded_sums(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, off: vec3<f32>, clear: bool) -> Values {
-    let first = two_sums(a, b);
-    let second = two_sums(first.low, c);
-    let sum = two_sums(first.high, second.high);
-    let r = sum.high;
-    // The exact number lies no farther from r; upward of three roundings.
-    let away = (abs(sum.low) + abs(second.low) + off) * 1.000001;
-    let settled = clear && settles(r.x, away.x) && settles(r.y, away.y) && settles(r.z, away.z);
-    return Values(settled, r.x, r.y, r.z);
+const STEPS: i32 = 3;
+
+// A sum of two words, and what was left out of it, at most.
+struct Total { high: vec3<f32>, low: vec3<f32>, left: vec3<f32> }
+
+fn plus(total: Total, x: vec3<f32>) -> Total {
+    let low = two_sums(total.low, x);
+    let sum = two_sums(total.high, low.high);
+    return Total(sum.high, sum.low, total.left + abs(low.low));
+}
+
+// Whether the leading words are what the exact numbers round to, which lie within `off` of the sum.
+fn is_settled(total: Total, off: vec3<f32>) -> bool {
+    let r = total.high;
+    // Upward of some roundings.
+    let away = (total.left + off) * 1.000001;
+    let outward = select(total.low, -total.low, r < vec3<f32>(0.0));
+    let far = outward + away;
+    let near = away - outward;
+    return settles(r.x, far.x, near.x) && settles(r.y, far.y, near.y) && settles(r.z, far.z, near.z);
 }
 
 fn upper_words(x: V) -> vec3<f32> {
