@@ -50,6 +50,7 @@ files![
     "exact/ray.wgsl",
     "exact/round/all.wgsl",
     "exact/round/hit.wgsl",
+    "exact/round/refined_sphere.wgsl",
     "exact/round/refined_triangle.wgsl",
     "exact/round/rest.wgsl",
     "exact/round/sphere.wgsl",

@@ -11,7 +11,8 @@
 //   used: (2 r + foot) foot + 12 u r^2 =: off_s. Where the true |l| > r the computed s is at most off_s. So s < -off_s is a
 //   miss, and s > 2 off_s a line that enters.
 // * h = sqrt(s/a), where the line enters: |sqrt(x) - sqrt(y)| <= |x - y| / (1.7 sqrt(x)) for y >= x/2, so off_s / (1.7 a h),
-//   and 7.75 u h for 1/a, the product and the root. Used: 1.0625 off_s / (a h) and 12 u h.
+//   and 7.75 u h for 1/a, the product and the root (8.75 where a root is 1 ULP off, which
+//   only devices are that round quotients to the nearest). Used: 1.0625 off_s / (a h) and 12 u h.
 // * The roots: the bounds of m and h, and u (|m| + |h|) for the sum. Used: 12 u |m| more.
 struct Chord {
     misses: bool,

@@ -73,7 +73,7 @@ fn quotient(ray: Line, s: Sides, numerator: N, bound: N) -> Estimate {
     let inverse = div(n(1.0), pick(n(1.0), s.determinant, clear));
     let value = mul(numerator, inverse);
     let relative = mul(mul(add(bound, mul(size(value), s.bound_determinant)), size(inverse)), n(1.375));
-    return Estimate(clear, value, add(relative, mul(size(value), ray.round_error)));
+    return Estimate(clear, value, add(add(relative, mul(size(value), ray.round_error)), ray.tiny_t));
 }
 
 fn plane_t(ray: Line, s: Sides, edge: N) -> Estimate {

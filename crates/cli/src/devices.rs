@@ -1,5 +1,6 @@
 //! `rayproof devices`: what there is to run on, and how far its arithmetic can be trusted.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use rayproof::scene::Scene;
@@ -38,8 +39,10 @@ struct Adapter {
     max_binding_bytes: u64,
     /// The arithmetic, once for every way a kernel can reach the driver; the first is the one that is used.
     fingerprints: Vec<Arithmetic>,
-    /// The numbers of the precision `exact` after its first pass.
+    /// The numbers of the precision `exact`, pass after pass.
     exact: Option<String>,
+    /// Wider numbers that it does not compute with, and why.
+    not_taken: BTreeMap<String, String>,
 }
 
 /// How often each operation was not what IEEE 754 says.
@@ -122,14 +125,37 @@ fn text(auto: &DeviceInfo, cpu: &DeviceInfo, adapters: &Result<Vec<AdapterReport
                 let _ = writeln!(text, "         {line}");
             }
         }
-        let exact =
-            a.second_stage.map_or_else(|| "on the CPU engine".to_owned(), |second| format!("f32, then {second}"));
-        let _ = writeln!(text, "         the precision exact: {exact}");
+        let _ = writeln!(
+            text,
+            "         the precision exact: {}",
+            exact(a).unwrap_or_else(|| "on the CPU engine".to_owned())
+        );
+        for (width, why) in not_taken(a) {
+            let _ = writeln!(text, "           {:<20}{why}", format!("not {width}"));
+        }
     }
     text
 }
 
+/// The numbers of the precision `exact`.
+fn exact(report: &AdapterReport) -> Option<String> {
+    let second = report.trials.as_ref().ok()?.chosen?;
+    Some(format!("f32, then {second}"))
+}
+
+/// The numbers that it does not compute with, and why.
+fn not_taken(report: &AdapterReport) -> Vec<(String, String)> {
+    match &report.trials {
+        Ok(trials) => {
+            let widths = trials.verdicts.iter().map(|(width, _)| *width);
+            widths.filter_map(|width| Some((width.to_string(), trials.why_not(width)?))).collect()
+        }
+        Err(error) => vec![("others".to_owned(), error.to_string())],
+    }
+}
+
 fn adapter(report: AdapterReport) -> Adapter {
+    let (exact, not_taken) = (exact(&report), not_taken(&report));
     let fingerprints = report.fingerprints.into_iter();
     Adapter {
         index: report.index,
@@ -140,7 +166,8 @@ fn adapter(report: AdapterReport) -> Adapter {
         pci_bus: Some(report.pci_bus).filter(|bus| !bus.is_empty()),
         max_binding_bytes: report.max_binding,
         fingerprints: fingerprints.map(|f| f.map_or_else(failed, arithmetic)).collect(),
-        exact: report.second_stage.map(|second| second.to_string()),
+        exact,
+        not_taken: not_taken.into_iter().collect(),
     }
 }
 

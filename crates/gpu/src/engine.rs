@@ -89,7 +89,7 @@ impl Engine {
             return Self::with_passes(gpu, bvh, Passes::Single(precision));
         }
         let second = gpu.second_stage()?.ok_or_else(|| refused(&gpu, precision, NO_BOUND))?;
-        let first = if gpu.fingerprint().is_ieee() { Width::Single } else { Width::SingleByRule };
+        let first = if gpu.fingerprint().rounds_to_nearest() { Width::Single } else { Width::SingleByRule };
         Self::exact(gpu, bvh, first, second)
     }
 

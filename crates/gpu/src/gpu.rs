@@ -12,7 +12,7 @@ use crate::context::{Context, Handles};
 use crate::fingerprint::Fingerprint;
 use crate::link::Linked;
 use crate::route::Route;
-use crate::second_stage::SecondStage;
+use crate::second_stage::{SecondStage, Trials};
 
 /// Why `exact` does not run on a device whose numbers fail their trials.
 pub(crate) const NO_BOUND: &str = "no bound holds for its arithmetic; see `rayproof devices`";
@@ -22,9 +22,9 @@ pub struct Gpu {
     pub(crate) context: Context,
     /// On the route that kernels take.
     fingerprint: Fingerprint,
-    /// What the second stage of `exact` computes with: measured when that precision is first asked for, since it takes as long
+    /// What the second stage of `exact` can compute with: tried when that precision is first asked for, since it takes as long
     /// as a small scene.
-    second_stage: Mutex<Option<Option<SecondStage>>>,
+    trials: Mutex<Option<Trials>>,
     /// Kernels by their text: scenes share them.
     pipelines: Mutex<HashMap<String, wgpu::ComputePipeline>>,
 }
@@ -46,7 +46,7 @@ impl Gpu {
     /// Measures an open device, whose kernels are to take a route.
     pub(crate) fn on(context: Context, route: Route) -> Result<Self, Error> {
         let fingerprint = Fingerprint::measure(&context, route)?;
-        Ok(Self { context, fingerprint, second_stage: Mutex::default(), pipelines: Mutex::default() })
+        Ok(Self { context, fingerprint, trials: Mutex::default(), pipelines: Mutex::default() })
     }
 
     /// The adapter's name.
@@ -79,17 +79,24 @@ impl Gpu {
         &self.fingerprint
     }
 
-    /// What the second stage of `exact` computes with; `None` where nothing keeps its promise, or where kernels run as plain
-    /// WGSL: no bound holds where a compiler may reassociate.
+    /// What was tried for the second stage of `exact`.
+    ///
+    /// # Errors
+    /// When the device fails.
+    pub fn trials(&self) -> Result<Trials, Error> {
+        let mut known = self.trials.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(trials) = &*known {
+            return Ok(trials.clone());
+        }
+        Ok(known.insert(Trials::run(&self.context, self.fingerprint.route)?).clone())
+    }
+
+    /// What the second stage of `exact` computes with; `None` where nothing keeps its promise.
     ///
     /// # Errors
     /// When the device fails.
     pub fn second_stage(&self) -> Result<Option<SecondStage>, Error> {
-        let mut known = self.second_stage.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(second) = *known {
-            return Ok(second);
-        }
-        Ok(*known.insert(SecondStage::on(&self.context, self.fingerprint.route)?))
+        Ok(self.trials()?.chosen)
     }
 
     /// Why a precision does not run on this device with a scene, if it does not: its promise would not hold.

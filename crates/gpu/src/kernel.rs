@@ -1,5 +1,7 @@
 //! Which files make a kernel: a precision, a query and what the scene holds are each a choice of files.
 
+use std::fmt;
+
 use rayproof_scene::{Kind, Kinds, Precision};
 
 use crate::kinds;
@@ -37,7 +39,7 @@ impl Query {
 /// The numbers that a kernel computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Width {
-    /// `f32` that is IEEE.
+    /// `f32` that rounds to the nearest, whatever it makes of subnormals.
     Single,
     /// `f32` by the written rules of Vulkan: bounds twice as wide.
     SingleByRule,
@@ -47,6 +49,17 @@ pub enum Width {
     PairOfF32,
     /// Pairs of `f64`.
     PairOfF64,
+}
+
+impl fmt::Display for Width {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Single | Self::SingleByRule => "f32",
+            Self::Double => "f64",
+            Self::PairOfF32 => "pairs of f32",
+            Self::PairOfF64 => "pairs of f64",
+        })
+    }
 }
 
 impl Width {
@@ -273,6 +286,7 @@ const fn rounded(kind: Kind, width: Width) -> &'static [&'static str] {
     match (kind, width) {
         (Kind::Triangle, Width::PairOfF32) => &["exact/round/words.wgsl", "exact/round/refined_triangle.wgsl"],
         (Kind::Triangle, _) => &["exact/triangle.wgsl", "exact/round/triangle.wgsl"],
+        (Kind::Sphere, Width::PairOfF32) => &["exact/sphere.wgsl", "exact/round/refined_sphere.wgsl"],
         (Kind::Sphere, _) => &["exact/sphere.wgsl", "exact/round/sphere.wgsl"],
     }
 }

@@ -36,6 +36,7 @@ mod route;
 mod second_stage;
 mod spirv;
 mod survey;
+mod trial;
 
 pub use adapter::Selector;
 pub use context::Handles;
@@ -48,5 +49,6 @@ pub use link::Linked;
 #[cfg(feature = "measure")]
 pub use ray_query::RayQuery;
 pub use route::Route;
-pub use second_stage::SecondStage;
+pub use second_stage::{SecondStage, Trials};
 pub use survey::{AdapterReport, adapters};
+pub use trial::Verdict;

@@ -5,7 +5,7 @@ use crate::adapter::{Adapters, driver, kind};
 use crate::context::Context;
 use crate::fingerprint::Fingerprint;
 use crate::route::Route;
-use crate::second_stage::SecondStage;
+use crate::second_stage::Trials;
 
 /// One line of `rayproof devices`.
 #[derive(Clone, Debug)]
@@ -24,8 +24,8 @@ pub struct AdapterReport {
     pub max_binding: u64,
     /// The arithmetic as kernels run it, and as plain WGSL, or why it could not be measured.
     pub fingerprints: Vec<Result<Fingerprint, Error>>,
-    /// The numbers that the precision `exact` computes with after its first pass; none where it does not run, or the device failed.
-    pub second_stage: Option<SecondStage>,
+    /// What was tried for the numbers that the precision `exact` computes with after its first pass, or why that failed.
+    pub trials: Result<Trials, Error>,
 }
 
 /// All Vulkan adapters, each opened and its arithmetic measured on every route it has.
@@ -40,15 +40,15 @@ pub fn adapters() -> Result<Vec<AdapterReport>, Error> {
 fn report(adapters: &Adapters, index: usize) -> AdapterReport {
     let adapter = &adapters.all[index];
     let info = adapter.get_info();
-    let (fingerprints, second_stage) = match Context::open(adapters, adapter) {
-        Err(e) => (vec![Err(e)], None),
+    let (fingerprints, trials) = match Context::open(adapters, adapter) {
+        Err(e) => (vec![Err(e.clone())], Err(e)),
         Ok(context) => (
             Route::TAKEN
                 .into_iter()
                 .filter(|route| context.has(*route))
                 .map(|route| Fingerprint::measure(&context, route))
                 .collect(),
-            SecondStage::on(&context, context.best_route()).ok().flatten(),
+            Trials::run(&context, context.best_route()),
         ),
     };
     AdapterReport {
@@ -59,6 +59,6 @@ fn report(adapters: &Adapters, index: usize) -> AdapterReport {
         name: info.name,
         max_binding: adapter.limits().max_storage_buffer_binding_size,
         fingerprints,
-        second_stage,
+        trials,
     }
 }

@@ -3,8 +3,8 @@ alias Part = f32;
 
 const SPLITTER: f32 = 4097.0; // 2^12 + 1
 
-// 16 v^2 with v = 2^-24.
-const UNIT: f32 = 5.684341886080802e-14; // 2^-44
+// 8 v^2 with v = 2^-24: a quotient or a root is within twice that, where bounds allow for 2.5 and 4.5 times.
+const UNIT: f32 = 2.842170943040401e-14; // 2^-45
 
 // The f32 itself.
 fn narrow(x: f32) -> f32 { return x; }

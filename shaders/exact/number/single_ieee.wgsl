@@ -1,2 +1,2 @@
-// What rounding to nearest loses at most, where the fingerprint shows that arithmetic is IEEE: 2^-24.
+// What rounding to nearest loses at most, where the fingerprint shows that sums, products and quotients do: 2^-24.
 const UNIT: f32 = 5.960464477539063e-8;

@@ -9,11 +9,18 @@ struct Count {
 // A number as the sum of five f32, the largest first.
 struct Words { a: f32, b: f32, c: f32, d: f32, e: f32 }
 
+// Of whole numbers x and y, what each operation gives.
 struct Results {
+    // x itself: it is whole only where a conversion to f32 and back is not folded away.
+    conversion: Words,
     sum: Words,
+    difference: Words,
     product: Words,
     quotient: Words,
     root: Words,
+    // The larger less the smaller, and the size of the difference on the side that a comparison picks.
+    order: Words,
+    size: Words,
 }
 
 @group(0) @binding(0) var<uniform> count: Count;
@@ -39,7 +46,16 @@ fn trial(@builtin(global_invocation_id) id: vec3<u32>) {
     let x = add(mul(n(pairs[i].x), n(16777216.0)), n(pairs[i].y));
     let y = add(mul(n(pairs[i].z), n(16777216.0)), n(pairs[i].w));
     if id.x < count.pairs {
-        results[i] = Results(words(add(x, y)), words(mul(x, y)), words(div(x, y)), words(root(x)));
+        results[i] = Results(
+            words(x),
+            words(add(x, y)),
+            words(sub(x, y)),
+            words(mul(x, y)),
+            words(div(x, y)),
+            words(root(x)),
+            words(sub(larger(x, y), smaller(x, y))),
+            words(size(pick(sub(x, y), sub(y, x), less(x, y)))),
+        );
     }
     var sum = n(0.0);
     let small = div(x, y);

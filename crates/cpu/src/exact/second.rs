@@ -48,7 +48,7 @@ impl SecondRay {
             t_max: f64::from(ray.t_max) * scale,
         };
         let (origin, direction) = (Vector::from(exact.origin), Vector::from(exact.direction));
-        Self { exact, line: Line::new(double::UNIT, origin, direction, [0.0; 2], chords) }
+        Self { exact, line: Line::new(double::UNIT, origin, direction, [0.0; 3], chords) }
     }
 }
 
@@ -108,7 +108,7 @@ impl SecondRay {
     /// The line in sums of two `f64`, for one shape.
     pub(crate) fn twice(&self, shape: &Shape) -> Line<Two> {
         let (origin, direction) = (self.line.origin.map(Two::from), self.line.direction.map(Two::from));
-        Line::new(pair_of_f64::UNIT, origin, direction, [Two::from(0.0); 2], takes_chords(shape.kind()))
+        Line::new(pair_of_f64::UNIT, origin, direction, [Two::from(0.0); 3], takes_chords(shape.kind()))
     }
 
     /// Where a primitive is hit that `f64` left open; `None` for a miss.

@@ -84,6 +84,17 @@ impl Fingerprint {
             && self.subnormals_wrong == 0
     }
 
+    /// Whether sums, products and quotients are to the nearest, but for subnormals, and square roots within 1 ULP: what the bounds
+    /// of `exact` suppose of `f32` that is IEEE.
+    #[must_use]
+    pub const fn rounds_to_nearest(&self) -> bool {
+        self.sum_wrong == 0
+            && self.product_wrong == 0
+            && self.contracted == 0
+            && self.quotient_wrong == 0
+            && self.root_ulp <= 1
+    }
+
     /// Whether no subnormal number is taken for 0, as an operand, a result, or where it is compared.
     #[must_use]
     pub const fn keeps_subnormals(&self) -> bool {

@@ -161,7 +161,8 @@ impl Case {
         };
         let reach = (largest(self.origin.map(f64::from)) + size).max(1.0);
         #[expect(clippy::cast_possible_truncation, reason = "a bound")]
-        let tiny = [(2.0_f64.powi(-110) * reach * size.max(1.0)) as f32, (2.0_f64.powi(-100) * reach * reach) as f32];
+        let tiny = [2.0_f64.powi(-110) * reach * size.max(1.0), 2.0_f64.powi(-100), 2.0_f64.powi(-100) * reach * reach]
+            .map(|x| x as f32);
         Line::new(u, number(self.origin), number(self.direction), tiny.map(Adverse::new), true)
     }
 

@@ -27,6 +27,8 @@ pub(crate) struct Line<N> {
     pub(crate) round_error: N,
     /// More than all that underflows in a triangle's formulas.
     pub(crate) tiny_triangle: N,
+    /// What no bound of a triangle's `t` is below.
+    pub(crate) tiny_t: N,
     /// `1 / d.d`; this and what follows is for chords only.
     pub(crate) inverse_a: N,
     /// `28 u`, and `28 u / |d|`.
@@ -39,10 +41,10 @@ pub(crate) struct Line<N> {
 }
 
 impl<N: Number> Line<N> {
-    /// In an arithmetic whose rounding loses at most `u`; `tiny` is what underflow may cost a triangle and a sphere. Without
+    /// In an arithmetic whose rounding loses at most `u`; `tiny` is what underflow may cost a triangle, its `t`, and a sphere. Without
     /// `chords` what is for them alone is left at zero.
     #[inline(always)]
-    pub(crate) fn new(u: f32, origin: Vector<N>, direction: Vector<N>, tiny: [N; 2], chords: bool) -> Self {
+    pub(crate) fn new(u: f32, origin: Vector<N>, direction: Vector<N>, tiny: [N; 3], chords: bool) -> Self {
         let times = |k: f32| N::constant(k * u);
         let inverse_a = if chords { N::constant(1.0) / dot_n(direction, direction) } else { N::constant(0.0) };
         Self {
@@ -52,11 +54,12 @@ impl<N: Number> Line<N> {
             plane_error: times(54.0),
             round_error: times(8.0),
             tiny_triangle: tiny[0],
+            tiny_t: tiny[1],
             inverse_a,
             foot_error: times(28.0),
             middle_error: if chords { inverse_a.sqrt() * times(28.0) } else { N::constant(0.0) },
             root_error: times(12.0),
-            tiny_sphere: tiny[1],
+            tiny_sphere: tiny[2],
         }
     }
 }
@@ -72,6 +75,7 @@ impl Line<f32> {
             plane_error: Vec4::splat(self.plane_error),
             round_error: Vec4::splat(self.round_error),
             tiny_triangle: Vec4::splat(self.tiny_triangle),
+            tiny_t: Vec4::splat(self.tiny_t),
             inverse_a: Vec4::ZERO,
             foot_error: Vec4::ZERO,
             middle_error: Vec4::ZERO,

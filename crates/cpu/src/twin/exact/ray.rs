@@ -71,7 +71,7 @@ pub(crate) fn prepared_ray(params: &Params, ray: &Ray, unit: &UnitDirection) -> 
     let size = params.scene_size.max(1.0);
     let (origin, direction) = (Vector::from(origin.to_array()), Vector::from(unit.direction.to_array()));
     let reach = reach.max(1.0);
-    let tiny = [power_of_two(-110) * reach * size, power_of_two(-100) * reach * reach];
+    let tiny = [power_of_two(-110) * reach * size, power_of_two(-100), power_of_two(-100) * reach * reach];
     let line = Line::new(UNIT, origin, direction, tiny, params.chords);
     FirstRay { line, t_min, t_max, ordinary }
 }

@@ -72,7 +72,7 @@ pub(crate) fn quotient<N: Number>(ray: &Line<N>, s: &Sides<N>, numerator: N, bou
     let inverse = N::constant(1.0) / N::pick(N::constant(1.0), s.determinant, clear);
     let value = numerator * inverse;
     let relative = (bound + value.abs() * s.bound_determinant) * inverse.abs() * N::constant(1.375);
-    Estimate { clear, value, off: relative + value.abs() * ray.round_error }
+    Estimate { clear, value, off: relative + value.abs() * ray.round_error + ray.tiny_t }
 }
 
 #[inline(always)]
