@@ -25,6 +25,22 @@ struct Results {
     comparisons: u32,
     // x 2^-64, bit for bit: subnormal where x is small.
     scaled: f32,
+    // x 2^100: 0 where a subnormal x is flushed before it is used.
+    lifted: f32,
+    // One of the two as it is: a subnormal must pass through a choice, since integers take it from there.
+    moved: f32,
+    // x 1 and x + 0, which a compiler may fold.
+    times_one: f32,
+    plus_zero: f32,
+    // 4096 x without its fraction, and the bits of x's fraction as a number.
+    whole: f32,
+    fraction: f32,
+    absolute: f32,
+    least: f32,
+    most: f32,
+    selected: f32,
+    // x y + y beside y x + x in a vector: the first of them.
+    packed: f32,
 }
 
 @group(0) @binding(0) var<uniform> count: Count;
@@ -61,5 +77,16 @@ fn fingerprint(@builtin(global_invocation_id) id: vec3<u32>) {
         fma(x, y, -(x * y)),
         u32(x < y) | (u32(x >= y) << 1u) | (u32(!(x >= y)) << 2u),
         x * 5.421010862427522e-20,
+        x * 1.2676506002282294e30,
+        select(y, x, count.pairs > 0u),
+        x * 1.0,
+        x + 0.0,
+        f32(i32(x * 4096.0)),
+        f32(bitcast<u32>(x) & 0x007fffffu),
+        abs(x),
+        min(x, y),
+        max(x, y),
+        select(x, y, x < y),
+        (vec2<f32>(x, y) * vec2<f32>(y, x) + vec2<f32>(y, x)).x,
     );
 }

@@ -51,6 +51,8 @@ struct Adapter {
 enum Arithmetic {
     Measured {
         route: String,
+        /// `IEEE`, `IEEE but for subnormals` or `not IEEE`.
+        verdict: String,
         ieee: bool,
         error_free_transforms: bool,
         pairs: usize,
@@ -65,8 +67,13 @@ enum Arithmetic {
         root_ulp: u32,
         fused: usize,
         comparisons_wrong: usize,
+        folded: usize,
         subnormals: usize,
         subnormals_wrong: usize,
+        subnormal_operands: usize,
+        subnormal_operands_wrong: usize,
+        subnormal_comparisons_wrong: usize,
+        subnormal_bits_wrong: usize,
     },
     Failed {
         error: String,
@@ -178,6 +185,7 @@ fn failed(error: DeviceError) -> Arithmetic {
 fn arithmetic(f: Fingerprint) -> Arithmetic {
     Arithmetic::Measured {
         route: f.route.to_string(),
+        verdict: f.arithmetic().to_string(),
         ieee: f.is_ieee(),
         error_free_transforms: f.keeps_errors(),
         pairs: f.pairs,
@@ -192,7 +200,12 @@ fn arithmetic(f: Fingerprint) -> Arithmetic {
         root_ulp: f.root_ulp,
         fused: f.fused,
         comparisons_wrong: f.comparisons_wrong,
+        folded: f.folded,
         subnormals: f.subnormals,
         subnormals_wrong: f.subnormals_wrong,
+        subnormal_operands: f.subnormal_operands,
+        subnormal_operands_wrong: f.subnormal_operands_wrong,
+        subnormal_comparisons_wrong: f.subnormal_comparisons_wrong,
+        subnormal_bits_wrong: f.subnormal_bits_wrong,
     }
 }

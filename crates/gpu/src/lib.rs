@@ -42,7 +42,7 @@ pub use adapter::Selector;
 pub use context::Handles;
 pub use engine::{Engine, Open};
 pub use error::Error;
-pub use fingerprint::Fingerprint;
+pub use fingerprint::{Arithmetic, Fingerprint};
 pub use gpu::Gpu;
 pub use kernel::{Kernel, Pass, Query, Walk, Width};
 pub use link::Linked;

@@ -30,15 +30,17 @@ pub(crate) fn describe(gpu: &Gpu, precision: Precision) -> DeviceInfo {
     let fingerprint = gpu.fingerprint();
     if precision != Precision::Exact && !fingerprint.is_ieee() {
         notes.push(format!(
-            "this device's f32 arithmetic ({}) is not IEEE: its bits differ from the CPU's; see `rayproof devices`",
-            fingerprint.route
+            "this device's f32 arithmetic ({}) is {}: its bits may differ from the CPU's; see `rayproof devices`",
+            fingerprint.route,
+            fingerprint.arithmetic()
         ));
     }
     if let (Precision::Exact, Ok(Some(second))) = (precision, gpu.second_stage())
-        && !(fingerprint.is_ieee() && fingerprint.keeps_errors() && second.rest.is_some())
+        && !(fingerprint.is_ieee() && second.rest.is_some())
     {
         notes.push(format!(
-            "this device's arithmetic is not all IEEE or has no f64: exact by f32, then {second}, then the CPU"
+            "this device's f32 arithmetic is {}: exact by f32, then {second}, then the CPU",
+            fingerprint.arithmetic()
         ));
     }
     DeviceInfo { name: gpu.name().to_owned(), driver: gpu.driver(), notes }

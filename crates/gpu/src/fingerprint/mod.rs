@@ -2,6 +2,8 @@
 
 mod print;
 
+use std::fmt;
+
 use bytemuck::{Pod, Zeroable};
 
 use crate::Error;
@@ -11,6 +13,9 @@ use crate::route::Route;
 
 /// 2^-64: it makes small numbers subnormal.
 const SMALL: f32 = f32::from_bits((127 - 64) << 23);
+
+/// 2^100: it makes subnormals ordinary.
+const LARGE: f32 = f32::from_bits((127 + 100) << 23);
 
 /// Pairs of numbers tried.
 const PAIRS: usize = 1 << 14;
@@ -42,12 +47,45 @@ pub struct Fingerprint {
     pub root_ulp: u32,
     /// `fma` results that are fused.
     pub fused: usize,
-    /// Comparisons, NaN and subnormals among them, that IEEE answers otherwise.
+    /// Comparisons of ordinary numbers and of NaN that IEEE answers otherwise.
     pub comparisons_wrong: usize,
+    /// Products with 1, sums with 0, conversions, sizes, minima, maxima, choices and vectors of ordinary numbers that are not what
+    /// is written.
+    pub folded: usize,
     /// Subnormal results that were flushed or are wrong, of [`subnormals`](Self::subnormals).
     pub subnormals_wrong: usize,
     /// How many subnormal results were asked for.
     pub subnormals: usize,
+    /// Subnormal operands that were taken for 0 in a product, of [`subnormal_operands`](Self::subnormal_operands).
+    pub subnormal_operands_wrong: usize,
+    /// How many subnormal operands there were.
+    pub subnormal_operands: usize,
+    /// Comparisons with a subnormal that IEEE answers otherwise.
+    pub subnormal_comparisons_wrong: usize,
+    /// Subnormals that did not pass through a choice or a conversion of their bits: integer arithmetic on them stands on that.
+    pub subnormal_bits_wrong: usize,
+}
+
+/// What a device's `f32` arithmetic is, in a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arithmetic {
+    /// All that kernels use is IEEE's: `fast` has the CPU's bits.
+    Ieee,
+    /// IEEE's for all but subnormal numbers, which are taken for 0: `fast` has the CPU's bits where no number of the ray, of the
+    /// scene and in between is subnormal.
+    IeeeButForSubnormals,
+    /// `fast` has other bits, within its promise where the scene has no extremes.
+    NotIeee,
+}
+
+impl fmt::Display for Arithmetic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Ieee => "IEEE",
+            Self::IeeeButForSubnormals => "IEEE but for subnormals",
+            Self::NotIeee => "not IEEE",
+        })
+    }
 }
 
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -63,6 +101,17 @@ struct Results {
     fma_error: f32,
     comparisons: u32,
     scaled: f32,
+    lifted: f32,
+    moved: f32,
+    times_one: f32,
+    plus_zero: f32,
+    whole: f32,
+    fraction: f32,
+    absolute: f32,
+    least: f32,
+    most: f32,
+    selected: f32,
+    packed: f32,
 }
 
 impl Fingerprint {
@@ -72,16 +121,22 @@ impl Fingerprint {
         Ok(Self::judge(route, &pairs, &run(context, route, &pairs)?))
     }
 
+    /// What the arithmetic is, in a word.
+    #[must_use]
+    pub const fn arithmetic(&self) -> Arithmetic {
+        let is_right =
+            self.rounds_to_nearest() && self.root_wrong == 0 && self.comparisons_wrong == 0 && self.folded == 0;
+        match (is_right, self.keeps_subnormals()) {
+            (true, true) => Arithmetic::Ieee,
+            (true, false) => Arithmetic::IeeeButForSubnormals,
+            (false, _) => Arithmetic::NotIeee,
+        }
+    }
+
     /// Whether kernels on this route give the CPU's bits: every operation they use is IEEE's, unfused, and survives.
     #[must_use]
     pub const fn is_ieee(&self) -> bool {
-        self.sum_wrong == 0
-            && self.product_wrong == 0
-            && self.contracted == 0
-            && self.quotient_wrong == 0
-            && self.root_wrong == 0
-            && self.comparisons_wrong == 0
-            && self.subnormals_wrong == 0
+        matches!(self.arithmetic(), Arithmetic::Ieee)
     }
 
     /// Whether sums, products and quotients are to the nearest, but for subnormals, and square roots within 1 ULP: what the bounds
@@ -98,7 +153,10 @@ impl Fingerprint {
     /// Whether no subnormal number is taken for 0, as an operand, a result, or where it is compared.
     #[must_use]
     pub const fn keeps_subnormals(&self) -> bool {
-        self.subnormals_wrong == 0 && self.comparisons_wrong == 0
+        self.subnormals_wrong == 0
+            && self.subnormal_operands_wrong == 0
+            && self.subnormal_comparisons_wrong == 0
+            && self.subnormal_bits_wrong == 0
     }
 
     /// Whether error-free transforms survive.
@@ -122,16 +180,27 @@ impl Fingerprint {
             root_ulp: 0,
             fused: 0,
             comparisons_wrong: 0,
+            folded: 0,
             subnormals_wrong: 0,
             subnormals: 0,
+            subnormal_operands_wrong: 0,
+            subnormal_operands: 0,
+            subnormal_comparisons_wrong: 0,
+            subnormal_bits_wrong: 0,
         };
         for (&[x, y], r) in pairs.iter().zip(results) {
-            f.comparisons_wrong += usize::from(r.comparisons != comparisons(x, y));
+            let compared = usize::from(r.comparisons != comparisons(x, y));
+            if x.is_subnormal() || y.is_subnormal() {
+                f.subnormal_comparisons_wrong += compared;
+            } else {
+                f.comparisons_wrong += compared;
+            }
             if x.is_nan() || y.is_nan() {
                 continue;
             }
             f.see_subnormal(x * SMALL, r.scaled);
             f.see_subnormal(x * y, r.product);
+            f.see_operand(x, r);
             if !ordinary(x) || !ordinary(y) {
                 continue;
             }
@@ -145,8 +214,20 @@ impl Fingerprint {
             f.root_wrong += usize::from(differ(x.abs().sqrt(), r.root));
             f.root_ulp = f.root_ulp.max(x.abs().sqrt().to_bits().abs_diff(r.root.to_bits()));
             f.fused += usize::from(r.fma_error != 0.0);
+            f.folded += usize::from(folds(x, y, r));
         }
         f
+    }
+
+    fn see_operand(&mut self, x: f32, r: &Results) {
+        #[expect(clippy::cast_precision_loss, reason = "23 bits")]
+        let fraction = (x.to_bits() & 0x007f_ffff) as f32;
+        let is_moved = r.moved.to_bits() == x.to_bits() && r.fraction == fraction;
+        self.subnormal_bits_wrong += usize::from(!is_moved);
+        if x.is_subnormal() {
+            self.subnormal_operands += 1;
+            self.subnormal_operands_wrong += usize::from(differ(x * LARGE, r.lifted));
+        }
     }
 
     fn see_subnormal(&mut self, right: f32, measured: f32) {
@@ -155,6 +236,24 @@ impl Fingerprint {
             self.subnormals_wrong += usize::from(differ(right, measured));
         }
     }
+}
+
+/// Whether any of what a compiler may fold is not what is written.
+fn folds(x: f32, y: f32, r: &Results) -> bool {
+    #[expect(clippy::cast_possible_truncation, reason = "the fraction goes")]
+    let whole = (x * 4096.0) as i32;
+    #[expect(clippy::cast_precision_loss, reason = "24 bits")]
+    let expected = [
+        (x, r.times_one),
+        (x + 0.0, r.plus_zero),
+        (whole as f32, r.whole),
+        (x.abs(), r.absolute),
+        (x.min(y), r.least),
+        (x.max(y), r.most),
+        (if x < y { y } else { x }, r.selected),
+        (x * y + y, r.packed),
+    ];
+    expected.into_iter().any(|(right, measured)| differ(right, measured))
 }
 
 fn differ(right: f32, measured: f32) -> bool {

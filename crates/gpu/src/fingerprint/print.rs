@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Fingerprint;
+use super::{Arithmetic, Fingerprint};
 
 impl fmt::Display for Fingerprint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -28,12 +28,36 @@ impl fmt::Display for Fingerprint {
         writeln!(f, "  fma                 {}", if self.fused > 0 { "fused" } else { "not fused" })?;
         match self.comparisons_wrong {
             0 => writeln!(f, "  comparisons         IEEE")?,
-            n => writeln!(f, "  comparisons         {n} not IEEE, of NaN or subnormals among them")?,
+            n => writeln!(f, "  comparisons         {n} not IEEE")?,
         }
-        match self.subnormals_wrong {
-            0 => writeln!(f, "  subnormals          kept, all {}", self.subnormals)?,
-            n => writeln!(f, "  subnormals          {n} of {} not kept", self.subnormals)?,
+        match self.folded {
+            0 => writeln!(f, "  other operations    as written")?,
+            n => writeln!(f, "  other operations    not as written in {n}")?,
         }
-        write!(f, "  verdict             {}", if self.is_ieee() { "IEEE: the CPU's bits" } else { "not IEEE" })
+        let kept = |wrong: usize, of: usize| match wrong {
+            0 => format!("kept, all {of}"),
+            n => format!("{n} of {of} taken for 0"),
+        };
+        writeln!(f, "  subnormal results   {}", kept(self.subnormals_wrong, self.subnormals))?;
+        writeln!(f, "  subnormal operands  {}", kept(self.subnormal_operands_wrong, self.subnormal_operands))?;
+        match self.subnormal_comparisons_wrong {
+            0 => writeln!(f, "  subnormals compared as IEEE says")?,
+            n => writeln!(f, "  subnormals compared {n} not as IEEE says")?,
+        }
+        match self.subnormal_bits_wrong {
+            0 => writeln!(f, "  subnormals' bits    kept")?,
+            n => writeln!(f, "  subnormals' bits    lost in {n}")?,
+        }
+        writeln!(f, "  verdict             {}", self.arithmetic())?;
+        write!(
+            f,
+            "  fast                {}",
+            match self.arithmetic() {
+                Arithmetic::Ieee => "the CPU's bits",
+                Arithmetic::IeeeButForSubnormals =>
+                    "the CPU's bits where no number is subnormal; scenes of extremes go to the CPU",
+                Arithmetic::NotIeee => "other bits than the CPU's; scenes of extremes go to the CPU",
+            }
+        )
     }
 }

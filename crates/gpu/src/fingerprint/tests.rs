@@ -15,6 +15,19 @@ fn ieee(pairs: &[[f32; 2]]) -> Vec<Results> {
             fma_error: 0.0,
             comparisons: comparisons(x, y),
             scaled: x * SMALL,
+            lifted: x * LARGE,
+            moved: x,
+            times_one: x,
+            plus_zero: x + 0.0,
+            #[expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "the fraction goes")]
+            whole: ((x * 4096.0) as i32) as f32,
+            #[expect(clippy::cast_precision_loss, reason = "23 bits")]
+            fraction: (x.to_bits() & 0x007f_ffff) as f32,
+            absolute: x.abs(),
+            least: x.min(y),
+            most: x.max(y),
+            selected: if x < y { y } else { x },
+            packed: x * y + y,
         })
         .collect()
 }
@@ -27,7 +40,7 @@ fn a_faithful_device_passes_and_each_fault_is_seen() {
     assert!(right.is_ieee() && right.keeps_errors() && right.fused == 0, "{right}");
     assert!(right.subnormals > 400, "{} subnormal results", right.subnormals);
     type Fault = (fn(&mut Results), fn(&Fingerprint) -> usize);
-    let faults: [Fault; 9] = [
+    let faults: [Fault; 20] = [
         (|r| r.sum = r.sum.next_up(), |f| f.sum_wrong),
         (|r| r.sum_error = 0.0, |f| f.sum_error_wrong),
         (|r| r.product = r.product.next_down(), |f| f.product_wrong),
@@ -36,6 +49,17 @@ fn a_faithful_device_passes_and_each_fault_is_seen() {
         (|r| r.quotient = r.quotient.next_up(), |f| f.quotient_wrong),
         (|r| r.root = r.root.next_up(), |f| f.root_wrong),
         (|r| r.comparisons ^= 4, |f| f.comparisons_wrong),
+        (|r| r.lifted = if r.lifted.abs() < 1.0 { 0.0 } else { r.lifted }, |f| f.subnormal_operands_wrong),
+        (|r| r.moved = if r.moved.is_subnormal() { 0.0 } else { r.moved }, |f| f.subnormal_bits_wrong),
+        (|r| r.fraction += 1.0, |f| f.subnormal_bits_wrong),
+        (|r| r.comparisons = if r.scaled == 0.0 { 7 } else { r.comparisons }, |f| f.subnormal_comparisons_wrong),
+        (|r| r.times_one = 0.0, |f| f.folded),
+        (|r| r.plus_zero = r.plus_zero.next_up(), |f| f.folded),
+        (|r| r.whole += 1.0, |f| f.folded),
+        (|r| r.absolute = -r.absolute, |f| f.folded),
+        (|r| r.least = r.most, |f| f.folded),
+        (|r| r.selected = r.least, |f| f.folded),
+        (|r| r.packed = r.packed.next_up(), |f| f.folded),
         (|r| r.scaled = if r.scaled.is_subnormal() { 0.0 } else { r.scaled }, |f| f.subnormals_wrong),
     ];
     for (i, (damage, count)) in faults.into_iter().enumerate() {
@@ -73,13 +97,32 @@ fn a_device_that_keeps_subnormals_but_compares_them_as_zero_is_not_ieee() {
     }
     let f = Fingerprint::judge(Route::ExactSpirv, &pairs, &results);
     assert!(f.keeps_errors() && !f.is_ieee(), "{f}");
-    let kept = f.sum_wrong + f.product_wrong + f.contracted + f.quotient_wrong + f.subnormals_wrong;
+    let kept = f.sum_wrong + f.product_wrong + f.contracted + f.quotient_wrong + f.subnormals_wrong + f.folded;
     assert_eq!(kept, 0, "{f}");
     assert!(f.root_wrong > PAIRS / 10 && f.root_ulp == 1, "{f}");
-    assert_eq!(f.comparisons_wrong, 35, "as many as there: {f}");
-    // The comparisons alone are enough.
+    assert_eq!((f.comparisons_wrong, f.subnormal_comparisons_wrong), (0, 35), "as many as there: {f}");
+    assert_eq!(f.arithmetic(), Arithmetic::NotIeee, "{f}");
+    assert!(f.rounds_to_nearest() && !f.keeps_subnormals(), "{f}");
+    // The comparisons alone are enough not to be IEEE.
     for (r, [x, _]) in results.iter_mut().zip(&pairs) {
         r.root = x.abs().sqrt();
     }
-    assert!(!Fingerprint::judge(Route::ExactSpirv, &pairs, &results).is_ieee());
+    let f = Fingerprint::judge(Route::ExactSpirv, &pairs, &results);
+    assert_eq!(f.arithmetic(), Arithmetic::IeeeButForSubnormals, "{f}");
+}
+
+/// What SwiftShader gives: all is IEEE's but subnormals, which are 0 as operands, as results, and compared; their bits pass.
+#[test]
+fn a_device_that_flushes_subnormals_is_ieee_but_for_them() {
+    let pairs = pairs();
+    let flushed = |x: f32| if x.is_subnormal() { 0.0 } else { x };
+    let mut results = ieee(&pairs.iter().map(|pair| pair.map(flushed)).collect::<Vec<_>>());
+    for (r, right) in results.iter_mut().zip(ieee(&pairs)) {
+        (r.product, r.scaled) = (flushed(r.product), flushed(r.scaled));
+        (r.moved, r.fraction) = (right.moved, right.fraction);
+    }
+    let f = Fingerprint::judge(Route::ExactSpirv, &pairs, &results);
+    assert_eq!(f.arithmetic(), Arithmetic::IeeeButForSubnormals, "{f}");
+    assert_eq!((f.subnormals_wrong, f.subnormal_comparisons_wrong), (626, 35), "as many as there: {f}");
+    assert!(f.rounds_to_nearest() && f.keeps_errors() && !f.keeps_subnormals(), "{f}");
 }

@@ -72,7 +72,10 @@ fn arithmetic(f: &Fingerprint) -> Arithmetic {
         ("error of x * y", f.product_error_wrong),
         ("x*y - c*(y*x) as written", f.contracted),
         ("comparisons, NaN among them", f.comparisons_wrong),
-        ("subnormals", f.subnormals_wrong),
+        ("what may be folded (x 1, x + 0, conversions, choices, vectors)", f.folded),
+        ("subnormal results", f.subnormals_wrong),
+        ("subnormal operands", f.subnormal_operands_wrong),
+        ("subnormals compared", f.subnormal_comparisons_wrong),
     ];
     Arithmetic {
         route: f.route.to_string(),
