@@ -4,6 +4,7 @@ mod families;
 mod leaks;
 mod spheres;
 mod widths;
+mod zeros;
 
 use rayproof::Precision;
 use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
