@@ -110,10 +110,10 @@ fn arithmetic_is_kept_through_spirv_and_not_through_wgsl() {
     let plain = gpu.fingerprint_on(Route::PlainWgsl).expect("measured");
     println!("{plain}");
     if gpu.name().contains("llvmpipe") {
-        // What the route is for: if this turns green, drivers have changed and the route can go.
         let trials = gpu.trials().expect("tried");
         // Mesa 25 folds f64(f32(x)) to x: shaders/exact/number/narrow.wgsl is what f64 stands on there.
         assert!(trials.keep(Width::Double) && trials.keep(Width::PairOfF64), "{trials:?}");
+        // What the route is for: if this turns green, drivers have changed and the route can go.
         assert!(exact.is_ieee() && !plain.is_ieee() && !plain.keeps_errors(), "{plain}");
     }
 }

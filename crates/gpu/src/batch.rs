@@ -214,13 +214,13 @@ impl Stream {
             if let Some(from) = from {
                 encoder.copy_buffer_to_buffer(&slot.list, from, &slot.groups, 0, INDIRECT);
             }
-            let timestamp_writes = slot.clock.as_ref().map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
+            // wgpu wants one reading at least.
+            let clock = slot.clock.as_ref().filter(|_| i == 0 || i == last);
+            let timestamp_writes = clock.map(|(query_set, _)| wgpu::ComputePassTimestampWrites {
                 query_set,
                 beginning_of_pass_write_index: (i == 0).then_some(0),
                 end_of_pass_write_index: (i == last).then_some(1),
             });
-            // wgpu wants one reading at least.
-            let timestamp_writes = timestamp_writes.filter(|_| i == 0 || i == last);
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: None, timestamp_writes });
             pass.set_bind_group(0, &slot.bindings, &[]);
             pass.set_pipeline(pipeline);

@@ -284,9 +284,13 @@ const fn certified(kind: Kind, query: Query) -> &'static [&'static str] {
 /// The numbers of a kind's hit.
 const fn rounded(kind: Kind, width: Width) -> &'static [&'static str] {
     match (kind, width) {
-        (Kind::Triangle, Width::PairOfF32) => &["exact/round/words.wgsl", "exact/round/refined_triangle.wgsl"],
-        (Kind::Triangle, _) => &["exact/triangle.wgsl", "exact/round/triangle.wgsl"],
-        (Kind::Sphere, Width::PairOfF32) => &["exact/sphere.wgsl", "exact/round/refined_sphere.wgsl"],
-        (Kind::Sphere, _) => &["exact/sphere.wgsl", "exact/round/sphere.wgsl"],
+        (Kind::Triangle, Width::PairOfF32) => {
+            &["exact/round/triangle_id.wgsl", "exact/round/words.wgsl", "exact/round/refined_triangle.wgsl"]
+        }
+        (Kind::Triangle, _) => &["exact/round/triangle_id.wgsl", "exact/triangle.wgsl", "exact/round/triangle.wgsl"],
+        (Kind::Sphere, Width::PairOfF32) => {
+            &["exact/round/root.wgsl", "exact/sphere.wgsl", "exact/round/refined_sphere.wgsl"]
+        }
+        (Kind::Sphere, _) => &["exact/round/root.wgsl", "exact/sphere.wgsl", "exact/round/sphere.wgsl"],
     }
 }

@@ -7,20 +7,15 @@ fn sphere_values(ray: PreparedRay, index: u32) -> Values {
     let sphere = bitcast<vec4<f32>>(sphere_quad(index));
     let center = v(sphere.xyz);
     let c = chord(ray.line, center, n(sphere.w));
-    let near = sub(c.middle, c.half);
-    // The near root, or the far one where the near one lies before the range.
-    let is_near = !less(sub(near, c.off), n(ray.t_min));
-    let is_far = less(add(near, c.off), n(ray.t_min));
-    let t = pick(near, add(c.middle, c.half), is_far);
-    let r = about(t);
-    let known = c.enters && (is_near || is_far);
-    if !known || rounds_to(r, t, c.off) {
-        return Values(known, r, 0.0, 0.0);
+    let root = root_in_range(ray, c);
+    let r = about(root.t);
+    if !root.known || rounds_to(r, root.t, c.off) {
+        return Values(root.known, r, 0.0, 0.0);
     }
     var line = ray.line;
     line.origin = moved(minus(ray.line.origin, center), ray.line.direction, n(r));
     let again = chord(line, v(vec3<f32>(0.0)), n(sphere.w));
-    let delta = pick(sub(again.middle, again.half), add(again.middle, again.half), is_far);
+    let delta = pick(sub(again.middle, again.half), add(again.middle, again.half), root.is_far);
     let closer = add(n(r), delta);
     let rounded = about(closer);
     let off = add(again.off, mul(size(closer), n(UNIT)));

@@ -128,7 +128,3 @@ fn is_settled(total: Total, off: vec3<f32>) -> bool {
 fn upper_words(x: V) -> vec3<f32> {
     return vec3<f32>(x.x.high, x.y.high, x.z.high);
 }
-
-fn triangle_id(index: u32) -> u32 {
-    return triangle_quad(index * 3u).w;
-}

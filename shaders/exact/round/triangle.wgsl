@@ -10,7 +10,3 @@ fn triangle_values(ray: PreparedRay, index: u32) -> Values {
         && rounds_to(r.z, v.value, v.off);
     return Values(settled, r.x, r.y, r.z);
 }
-
-fn triangle_id(index: u32) -> u32 {
-    return triangle_quad(index * 3u).w;
-}
