@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use rayproof::files::Origin;
 use rayproof::stream::Shard;
 use rayproof::{DeviceChoice, Precision};
 
-use crate::choices::{Format, Invalid, Kind, Query, Show, precision};
+use crate::choices::{Format, Invalid, Kind, OnRounding, Query, Show, precision};
 use crate::parse::{self, Size};
 
 /// Shoots rays at spheres and triangles, on the GPU or the CPU, and can prove each answer against exact arithmetic.
@@ -51,7 +52,9 @@ The scene: a mesh (.obj .ply .stl .gltf .glb), or a scene file (.toml) that list
   eye = [0, 1, 5]
   target = [0, 1, 0]
   up = [0, 1, 0]
-  fov_y = 40                        # degrees";
+  fov_y = 40                        # degrees
+
+A line `origin = [x, y, z]` before them is subtracted from every point, the camera's and the rays' too.";
 
 const DEVICE: &str = "\
 What computes: 'auto' is a hardware GPU if there is one, else the CPU engine; 'cpu' is the CPU engine; 'gpu' is the \
@@ -103,6 +106,9 @@ pub(crate) struct Intersect {
     #[arg(long, value_enum, default_value_t)]
     pub(crate) invalid: Invalid,
 
+    #[command(flatten)]
+    pub(crate) place: Place,
+
     /// Answer only the I-th (from 0) of N contiguous shares of the rays; the shares' hits, joined, are the whole. A bad ray is
     /// the fault of the share that holds it
     #[arg(long, value_name = "I/N")]
@@ -119,6 +125,19 @@ pub(crate) struct Intersect {
     /// The format of HITS where it is '-'
     #[arg(long, value_enum, default_value_t)]
     pub(crate) to: Format,
+}
+
+/// Where the scene is, and what becomes of digits that `f32` has no room for there.
+#[derive(Debug, Args)]
+pub(crate) struct Place {
+    /// Subtract X,Y,Z from scene and rays, exactly, before they are rounded to f32; 'auto' is the middle of the scene's box, on
+    /// a grid of powers of two [default: `origin` in the scene file]
+    #[arg(long, value_name = "X,Y,Z", value_parser = parse::origin, allow_hyphen_values = true)]
+    pub(crate) origin: Option<Origin>,
+
+    /// What is said where rounding to f32 moves a vertex, a sphere or a ray's origin by more than a millionth of the scene's size
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) rounding: OnRounding,
 }
 
 #[derive(Debug, Args)]
@@ -189,6 +208,9 @@ pub(crate) struct Render {
 
     #[arg(long, default_value_t, help = DEVICE)]
     pub(crate) device: DeviceChoice,
+
+    #[command(flatten)]
+    pub(crate) place: Place,
 
     /// No progress and no summary on stderr
     #[arg(short, long)]

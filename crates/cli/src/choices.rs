@@ -57,6 +57,18 @@ impl From<Invalid> for InvalidRays {
     }
 }
 
+/// What becomes of numbers that rounding to `f32` moves by more than a millionth of the scene's size.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum OnRounding {
+    /// A note
+    #[default]
+    Warn,
+    /// The run stops, with exit code 5
+    Error,
+    /// Nothing
+    Allow,
+}
+
 /// The formats of rays and hits on stdout; on stdin the first bytes tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {

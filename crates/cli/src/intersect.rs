@@ -3,19 +3,20 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use rayproof::files::{Format, HitWriter, LoadedScene, RayReader};
+use rayproof::files::{Format, HitWriter, RayReader};
 use rayproof::scene::{Hit, Scene};
 use rayproof::stream::{Checked, Done, Job, Shard};
 use rayproof::{Intersector, Options, Precision};
 
 use crate::args::Intersect;
 use crate::check::check;
-use crate::choices::Query;
+use crate::choices::{OnRounding, Query};
 use crate::exit::{Code, Failure, print, say};
 use crate::interrupt::{self, Writing};
 use crate::judged::Judged;
+use crate::load::Loaded;
 use crate::progress::Progress;
-use crate::summary::{SceneSize, Seconds, Summary, nothing_to_hit};
+use crate::summary::{RoundingOf, SceneSize, Seconds, Summary};
 use crate::target;
 
 /// Runs the command; `started` is when the program did.
@@ -30,13 +31,17 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     }
     let format = args.to.of_output(&args.output)?;
     let loading = Instant::now();
-    let LoadedScene { scene, sources, .. } = rayproof::files::load(&args.scene)?;
+    let loaded = Loaded::read(&args.scene, args.place.origin.unwrap_or_default(), args.place.rounding)?;
     let load = loading.elapsed().as_secs_f64();
-    target::is_no_input(&args.output, sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
-    let rays = args.shard.unwrap_or(Shard::WHOLE).open(&args.rays, args.invalid.into())?;
+    target::is_no_input(&args.output, loaded.scene.sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
+    let mut rays = args.shard.unwrap_or(Shard::WHOLE).open(&args.rays, args.invalid.into())?;
+    rays.subtract(loaded.scene.origin);
+    if args.place.rounding == OnRounding::Error {
+        rays.refuse_shifts_beyond(loaded.harmless());
+    }
     let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };
-    let engine = Intersector::new(&scene, &options)?;
-    let run = Run { args, format, scene, engine, started, load };
+    let engine = Intersector::new(&loaded.scene.scene, &options)?;
+    let run = Run { args, format, loaded, engine, started, load };
     match args.query {
         Query::Closest => run.all::<Hit>(rays),
         Query::Any => run.all::<u8>(rays),
@@ -48,7 +53,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
 struct Run<'a> {
     args: &'a Intersect,
     format: Format,
-    scene: Scene,
+    loaded: Loaded,
     engine: Intersector,
     started: Instant,
     /// Seconds that loading the scene took.
@@ -58,7 +63,7 @@ struct Run<'a> {
 impl Run<'_> {
     fn all<A: Judged>(&self, rays: RayReader) -> Result<(), Failure> {
         let done = self.answer::<A>(rays)?;
-        let checked = check(&self.scene, &done.samples, self.args.precision, self.args.quiet);
+        let checked = check(self.scene(), &done.samples, self.args.precision, self.args.quiet);
         let summary = self.summary(&done, checked);
         if !self.args.quiet {
             say(format_args!("{summary}"));
@@ -84,6 +89,17 @@ impl Run<'_> {
         job.run(rays, hits, interrupt::check, |rays| progress.add(rays))
     }
 
+    const fn scene(&self) -> &Scene {
+        &self.loaded.scene.scene
+    }
+
+    /// What is to be said of rays that rounding moved.
+    fn rays_rounded<A>(&self, done: &Done<A>) -> Option<String> {
+        let Intersect { rays, place, .. } = self.args;
+        let told = self.loaded.told(&rays.display().to_string(), done.rounding, place.origin.unwrap_or_default());
+        told.filter(|_| place.rounding == OnRounding::Warn)
+    }
+
     fn summary<A: Judged>(&self, done: &Done<A>, checked: Checked) -> Summary {
         let device = self.engine.device();
         let (rays, seconds) = (done.rays, done.seconds);
@@ -96,11 +112,12 @@ impl Run<'_> {
             driver: device.driver.clone(),
             precision: self.args.precision.name(),
             query: A::QUERY,
-            scene: SceneSize::of(&self.scene),
+            scene: SceneSize::of(&self.loaded.scene),
             rays,
             hits: done.hits,
             invalid_rays: done.invalid,
-            rounded_values: done.rounded,
+            rounded_values: done.rounding.values,
+            rounding: RoundingOf { scene: self.loaded.scene.rounding.into(), rays: done.rounding.into() },
             undecided: done.undecided.into(),
             seconds: Seconds {
                 load: self.load,
@@ -115,7 +132,7 @@ impl Run<'_> {
             disagreed: checked.disagreed,
             correctly_rounded: checked.correctly_rounded,
             worst_ulp: checked.worst_ulp,
-            notes: device.notes.iter().cloned().chain(nothing_to_hit(&self.scene, &self.args.scene)).collect(),
+            notes: device.notes.iter().chain(&self.loaded.notes).cloned().chain(self.rays_rounded(done)).collect(),
         }
     }
 }

@@ -9,6 +9,7 @@ mod interrupt;
 mod intersect;
 mod judged;
 mod legend;
+mod load;
 mod parse;
 mod picture;
 mod progress;

@@ -1,4 +1,6 @@
-//! The size of a picture on the command line: `1024x768`.
+//! What is typed on the command line: the size of a picture, `1024x768`, and an origin, `1,2,3`.
+
+use rayproof::files::Origin;
 
 /// The size of a picture, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,9 +26,29 @@ pub(crate) fn size(text: &str) -> Result<Size, String> {
         .ok_or_else(|| "give WxH, both from 1 to 65535, for example 1024x768".to_owned())
 }
 
+/// `auto`, or three finite numbers `X,Y,Z`.
+pub(crate) fn origin(text: &str) -> Result<Origin, String> {
+    if text == "auto" {
+        return Ok(Origin::Auto);
+    }
+    let numbers: Option<Vec<f64>> =
+        text.split(',').map(|number| number.trim().parse().ok().filter(|x: &f64| x.is_finite())).collect();
+    let numbers = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
+    numbers.map(Origin::At).ok_or_else(|| "give X,Y,Z, for example 500000,4649776,0, or auto".to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn origins_are_three_numbers() {
+        assert_eq!(origin("auto"), Ok(Origin::Auto));
+        assert_eq!(origin("500000, -4649776.5,1e3"), Ok(Origin::At([500_000.0, -4_649_776.5, 1000.0])));
+        for bad in ["", "1,2", "1,2,3,4", "1,2,inf", "Auto", "1;2;3"] {
+            assert!(origin(bad).is_err(), "{bad:?}");
+        }
+    }
 
     #[test]
     fn sizes_are_strict() {

@@ -3,17 +3,18 @@
 use std::path::PathBuf;
 
 use rayproof::BATCH;
-use rayproof::files::RayWriter;
+use rayproof::files::{Origin, RayWriter};
 use rayproof::rays::{Diffuse, Incoherent, Primary};
 use rayproof::scene::{Camera, Ray, Scene};
 
 use crate::args::Rays;
-use crate::choices::Kind;
+use crate::choices::{Kind, OnRounding};
 use crate::exit::{Code, Failure, say};
 use crate::interrupt::{self, Writing};
+use crate::load::Loaded;
 use crate::parse::Size;
 use crate::progress::Progress;
-use crate::summary::{grouped, nothing_to_hit};
+use crate::summary::grouped;
 use crate::target;
 
 /// The picture that rays are made for where none is given.
@@ -26,9 +27,16 @@ pub(crate) fn run(args: &Rays) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     args.to.of_output(&args.output)?;
-    let loaded = rayproof::files::load(&args.scene)?;
+    let Loaded { scene: loaded, notes, .. } = Loaded::read(&args.scene, Origin::Own, OnRounding::Warn)?;
+    if loaded.origin != [0.0; 3] {
+        let message = format!(
+            "{}: it has an origin, and rays of its place are not f32; make them in float64 with it, or leave it out here",
+            args.scene.display()
+        );
+        return Err(Failure::new(Code::Usage, message));
+    }
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
-    if let Some(note) = nothing_to_hit(&loaded.scene, &args.scene).filter(|_| !args.quiet) {
+    for note in notes.iter().filter(|_| !args.quiet) {
         say(format_args!("note    {note}"));
     }
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));

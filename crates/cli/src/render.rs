@@ -13,6 +13,7 @@ use rayproof_picture::shade;
 use crate::args::Render;
 use crate::choices::Show;
 use crate::exit::{Code, Failure, say};
+use crate::load::Loaded;
 use crate::picture::Picture;
 use crate::progress::Progress;
 use crate::{legend, summary, target};
@@ -29,7 +30,8 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     target::has_folder(&args.output)?;
-    let loaded = rayproof::files::load(&args.scene)?;
+    let Loaded { scene: loaded, notes, .. } =
+        Loaded::read(&args.scene, args.place.origin.unwrap_or_default(), args.place.rounding)?;
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
     let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };
@@ -37,8 +39,7 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
     let view = View { args, scene: &loaded.scene, camera, engine };
     view.draw()?.save(&args.output)?;
     if !args.quiet {
-        let note = summary::nothing_to_hit(&loaded.scene, &args.scene);
-        say(format_args!("{}picture {}", summary::device_lines(view.engine.device(), note), args.output.display()));
+        say(format_args!("{}picture {}", summary::device_lines(view.engine.device(), &notes), args.output.display()));
     }
     Ok(())
 }

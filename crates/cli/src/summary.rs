@@ -1,10 +1,10 @@
 //! What a run came to: a JSON object for scripts, a few lines for people.
 
 use std::fmt::{self, Write as _};
-use std::path::Path;
 
 use rayproof::DeviceInfo;
-use rayproof::scene::{self, Kind, Scene};
+use rayproof::files::{LoadedScene, Rounding};
+use rayproof::scene::{self, Kind};
 pub(crate) use rayproof_report::page::count as grouped;
 use serde::Serialize;
 
@@ -28,7 +28,7 @@ pub(crate) struct Summary {
     pub(crate) disagreed: u64,
     pub(crate) correctly_rounded: u64,
     pub(crate) worst_ulp: Option<u64>,
-    #[serde(skip)]
+    pub(crate) rounding: RoundingOf,
     pub(crate) notes: Vec<String>,
 }
 
@@ -37,11 +37,40 @@ pub(crate) struct SceneSize {
     pub(crate) spheres: usize,
     pub(crate) triangles: usize,
     pub(crate) geometries: usize,
+    pub(crate) rounded_values: u64,
+    pub(crate) largest_shift: f64,
+    pub(crate) flattened_triangles: u64,
+}
+
+/// What rounding to `f32` changed.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct RoundingOf {
+    pub(crate) scene: Rounded,
+    pub(crate) rays: Rounded,
+}
+
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct Rounded {
+    pub(crate) values: u64,
+    pub(crate) largest_shift: f64,
+}
+
+impl From<Rounding> for Rounded {
+    fn from(Rounding { values, largest_shift, .. }: Rounding) -> Self {
+        Self { values, largest_shift }
+    }
 }
 
 impl SceneSize {
-    pub(crate) fn of(scene: &Scene) -> Self {
-        let mut size = Self { spheres: 0, triangles: 0, geometries: scene.geometries().len() };
+    pub(crate) fn of(LoadedScene { scene, rounding, .. }: &LoadedScene) -> Self {
+        let mut size = Self {
+            spheres: 0,
+            triangles: 0,
+            geometries: scene.geometries().len(),
+            rounded_values: rounding.values,
+            largest_shift: rounding.largest_shift,
+            flattened_triangles: rounding.flattened_triangles,
+        };
         for kind in Kind::ALL {
             match kind {
                 Kind::Triangle => size.triangles = scene.count(kind),
@@ -88,7 +117,7 @@ impl fmt::Display for Summary {
             write!(f, ", {} invalid taken as misses", grouped(self.invalid_rays))?;
         }
         if self.rounded_values > 0 {
-            write!(f, ", {} values rounded from float64 to float32", grouped(self.rounded_values))?;
+            write!(f, ", {} values rounded to f32", grouped(self.rounded_values))?;
         }
         if self.precision == "exact" {
             let [open, last] = [self.undecided.first_stage, self.undecided.resolved_on_cpu].map(grouped);
@@ -127,24 +156,23 @@ impl Summary {
 
 impl fmt::Display for SceneSize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { triangles, spheres, geometries } = *self;
+        let Self { triangles, spheres, geometries, .. } = *self;
         for (count, kind) in [(triangles, Kind::Triangle), (spheres, Kind::Sphere)].into_iter().filter(|(n, _)| *n > 0)
         {
             write!(f, "{} {}{}, ", grouped(count as u64), kind.name(), if count == 1 { "" } else { "s" })?;
         }
-        write!(f, "{geometries} geometr{}", if geometries == 1 { "y" } else { "ies" })
+        write!(f, "{geometries} geometr{}", if geometries == 1 { "y" } else { "ies" })?;
+        match self.rounded_values {
+            0 => Ok(()),
+            n => write!(f, "; {} values rounded to f32, by {:.1e} at most", grouped(n), self.largest_shift),
+        }
     }
 }
 
 /// The lines that say what ran.
-pub(crate) fn device_lines(info: &DeviceInfo, more: Option<String>) -> String {
-    let notes: Vec<String> = info.notes.iter().cloned().chain(more).collect();
+pub(crate) fn device_lines(info: &DeviceInfo, more: &[String]) -> String {
+    let notes: Vec<String> = info.notes.iter().chain(more).cloned().collect();
     device(&info.name, &info.driver, &notes)
-}
-
-/// What is to be said of a scene without primitives.
-pub(crate) fn nothing_to_hit(scene: &Scene, path: &Path) -> Option<String> {
-    scene.is_empty().then(|| format!("{}: the scene holds nothing to hit", path.display()))
 }
 
 fn device(name: &str, driver: &str, notes: &[String]) -> String {

@@ -5,13 +5,17 @@
 //!
 #![doc = include_str!("../README.md")]
 
+mod decimal;
 mod error;
+mod note;
+mod quote;
 pub mod replay;
 mod scenes;
 mod tables;
 
 pub use error::{BadInput, Error};
-pub use scenes::{LoadedScene, load};
+pub use note::{Note, Rounding};
+pub use scenes::{LoadedScene, Origin, load, load_at};
 // What a reader is told to do with bad rays.
 pub use rayproof_scene::{INVALID_RAY, InvalidRays};
 pub use tables::{Format, HitKind, HitWriter, RayReader, RayWriter};

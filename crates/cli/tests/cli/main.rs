@@ -7,6 +7,7 @@ mod engines;
 mod formats;
 mod interrupted;
 mod overwrite;
+mod places;
 mod rays;
 mod render;
 mod report;

@@ -64,11 +64,13 @@ fn json_is_one_object_on_stdout_with_the_names_of_the_contract() {
             "driver",
             "hits",
             "invalid_rays",
+            "notes",
             "precision",
             "query",
             "rays",
             "rays_per_second",
             "rounded_values",
+            "rounding",
             "scene",
             "seconds",
             "undecided",
@@ -76,11 +78,17 @@ fn json_is_one_object_on_stdout_with_the_names_of_the_contract() {
             "worst_ulp"
         ]
     );
-    assert_eq!(keys(&json["scene"]), ["geometries", "spheres", "triangles"]);
+    assert_eq!(
+        keys(&json["scene"]),
+        ["flattened_triangles", "geometries", "largest_shift", "rounded_values", "spheres", "triangles"]
+    );
     assert_eq!(keys(&json["undecided"]), ["after_refine", "first_tier", "resolved_on_cpu"]);
     assert_eq!(keys(&json["seconds"]), ["build", "load", "resolve", "total", "trace"]);
     assert_eq!((&json["precision"], &json["query"]), (&"classic".into(), &"any".into()));
-    assert_eq!(json["scene"].to_string(), r#"{"geometries":2,"spheres":2,"triangles":2}"#);
+    assert_eq!(
+        json["scene"].to_string(),
+        r#"{"flattened_triangles":0,"geometries":2,"largest_shift":0.0,"rounded_values":0,"spheres":2,"triangles":2}"#
+    );
     assert_eq!((&json["rays"], &json["hits"], &json["checked"]), (&5.into(), &4.into(), &0.into()));
     let seconds = |name: &str| json["seconds"][name].as_f64().unwrap();
     assert!(seconds("trace") > 0.0 && seconds("total") >= seconds("trace") + seconds("load"));

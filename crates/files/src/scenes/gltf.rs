@@ -5,28 +5,27 @@
 
 use std::path::Path;
 
-use glam::{DMat4, DQuat, DVec3, Vec3};
+use glam::{DMat4, DQuat, DVec3};
 use gltf::mesh::Mode;
 use gltf::{Document, Node, Primitive, Semantic, scene::Transform};
 
-use super::faults::{Faults, nearest};
 use super::gltf_data::{Data, document};
+use super::reading::{Reading, Vertices};
 use crate::Error;
 use rayproof_scene::Mesh;
 
-pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, Error> {
+pub(super) fn parse(path: &Path, bytes: &[u8], mut reading: Reading<'_>) -> Result<Mesh, Error> {
     let file = path.display().to_string();
     let (document, blob) = document(&file, bytes)?;
     let data = Data::load(path, &file, &document, blob)?;
     let mut mesh = Mesh::default();
-    let mut faults = Faults::new(&file);
     for (node, world) in nodes(&file, &document)? {
         for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
             let place = format!("node {}, primitive {}", node.index(), primitive.index());
-            add(&place, &data, &primitive, world, &mut mesh, &mut faults)?;
+            add(&place, &data, &primitive, world, &mut mesh, &mut reading)?;
         }
     }
-    faults.none()?;
+    reading.end()?;
     Ok(mesh)
 }
 
@@ -72,7 +71,7 @@ fn add(
     primitive: &Primitive<'_>,
     world: DMat4,
     mesh: &mut Mesh,
-    faults: &mut Faults<'_>,
+    reading: &mut Reading<'_>,
 ) -> Result<(), Error> {
     let mode = primitive.mode();
     if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
@@ -80,15 +79,13 @@ fn add(
     }
     let positions = primitive.get(&Semantic::Positions);
     let positions = positions.ok_or_else(|| data.bad(place, "it has no POSITION", "give its vertices a POSITION"))?;
-    let base = mesh.vertices.len();
+    let mut vertices = Vertices::default();
     for (i, p) in data.positions(&positions)?.enumerate() {
         let v = world.transform_point3(DVec3::from(p.map(f64::from)));
-        let v = Vec3::from(v.to_array().map(nearest));
-        faults.vertex(format_args!("{place}, vertex {i} in world space (counting from 0)"), v);
-        mesh.vertices.push(v);
+        vertices.push(v.to_array().map(Into::into), i, reading);
     }
-    let count = mesh.vertices.len() - base;
-    let (Ok(base), Ok(end)) = (u32::try_from(base), u32::try_from(mesh.vertices.len())) else {
+    let count = vertices.len();
+    let (Ok(base), Ok(end)) = (u32::try_from(mesh.vertices.len()), u32::try_from(mesh.vertices.len() + count)) else {
         return Err(data.bad(place, "there are more than 4294967295 vertices", "split the file"));
     };
     let indices: Vec<u32> = match primitive.indices() {
@@ -100,11 +97,12 @@ fn add(
         let expected = format!("it has {count} vertices: give indices from 0 and below {count}");
         for (i, index) in out_of_range {
             let what = format_args!("vertex {index} is out of range");
-            faults.add(format_args!("{place}, index {i} (counting from 0)"), what, &expected);
+            reading.fault(format_args!("{place}, index {i} (counting from 0)"), what, &expected);
         }
         return Ok(());
     }
-    let mut push = |corners: [usize; 3]| mesh.triangles.push(corners.map(|i| base + indices[i]));
+    let mut triangles = Vec::new();
+    let mut push = |corners: [usize; 3]| triangles.push(corners.map(|i| indices[i]));
     let count = indices.len();
     match mode {
         Mode::Triangles if !count.is_multiple_of(3) => {
@@ -115,5 +113,9 @@ fn add(
         Mode::TriangleStrip => (0..count.saturating_sub(2)).for_each(|i| push([i, i + 1 + i % 2, i + 2 - i % 2])),
         _ => (0..count.saturating_sub(2)).for_each(|i| push([i + 1, i + 2, 0])),
     }
+    let vertex = |i| format!("{place}, vertex {i} in world space (counting from 0)");
+    let part = vertices.mesh(triangles, vertex, reading);
+    mesh.vertices.extend(part.vertices);
+    mesh.triangles.extend(part.triangles.into_iter().map(|corners| corners.map(|corner| base + corner)));
     Ok(())
 }

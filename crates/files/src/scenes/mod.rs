@@ -1,11 +1,15 @@
 //! Scenes from files: one module a format, and what they say about bad input.
 
-mod faults;
+mod faces;
 mod gltf;
 mod gltf_data;
+mod lines;
 mod obj;
 mod ply;
+mod ply_header;
 mod ply_payload;
+mod polygon;
+mod reading;
 mod scene_file;
 mod spheres;
 mod stl;
@@ -16,8 +20,24 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::Error;
+use glam::DVec3;
+
+use self::reading::{Reading, Told};
+use crate::{Error, Note, Rounding};
 use rayproof_scene::{Camera, Geometry, Mesh, Scene};
+
+/// What is subtracted from every point of a scene, exactly, before it is rounded: far from 0 an `f32` has few digits left. It must
+/// be subtracted from the rays, too ([`RayReader::subtract`](crate::RayReader::subtract)); `t`, `u` and `v` stay what they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Origin {
+    /// What the scene file gives as `origin`; nothing where it gives none.
+    #[default]
+    Own,
+    /// This, whatever the scene file gives.
+    At([f64; 3]),
+    /// The middle of the scene's box, rounded to multiples of the largest power of two that is not above the box's longest side.
+    Auto,
+}
 
 /// What a scene's file holds.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,24 +48,65 @@ pub struct LoadedScene {
     pub camera: Option<Camera>,
     /// The file, then the meshes and tables of spheres that it names, in order.
     pub sources: Vec<PathBuf>,
+    /// What was subtracted from every point, the camera's too.
+    pub origin: [f64; 3],
+    /// What was left out of the files, or taken otherwise than one may think.
+    pub notes: Vec<Note>,
+    /// What rounding did to their numbers.
+    pub rounding: Rounding,
 }
 
 /// Reads a scene: a mesh (`.obj`, `.ply`, `.stl`, `.gltf`, `.glb`), which becomes geometry 0, or a scene file
 /// (`.toml`). The letter case of the ending does not matter.
 ///
-/// Triangles keep the file's order, polygons fan out from their first vertex in order, and triangles without area are
-/// kept. Every number is rounded once to the nearest `f32`. A file without primitives is an empty scene, not an error.
+/// Triangles keep the file's order, and those without area are kept. A polygon of n corners becomes n - 2 triangles that cover its
+/// inside: a convex one those from its first corner, in order. Every number is rounded once to the nearest `f32`, and
+/// [`LoadedScene::rounding`] tells what that changed. A file without primitives is an empty scene, not an error.
 ///
 /// # Errors
 /// [`Error::Open`] where the file, or one that it names, cannot be opened; [`Error::Io`] where reading it fails;
 /// [`Error::Bad`] where the ending is unknown or the content is not a scene: a vertex or sphere that is not finite, a
 /// negative radius, an index out of range, a truncated file, an unknown key, a wrong shape or dtype.
 pub fn load(path: &Path) -> Result<LoadedScene, Error> {
-    if ending(path) == "toml" {
-        return scene_file::load(path);
+    load_at(path, Origin::Own)
+}
+
+/// As [`load`], with another origin than the scene's own.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_at(path: &Path, origin: Origin) -> Result<LoadedScene, Error> {
+    match origin {
+        Origin::Own => load_from(path, None),
+        Origin::At(origin) => load_from(path, Some(origin.into())),
+        Origin::Auto => {
+            let loaded = load_from(path, Some(DVec3::ZERO))?;
+            match middle(&loaded.scene) {
+                DVec3::ZERO => Ok(loaded),
+                origin => load_from(path, Some(origin)),
+            }
+        }
     }
-    let mesh = load_mesh(path, "give a scene: .obj, .ply, .stl, .gltf, .glb or .toml")?;
-    Ok(LoadedScene { scene: valid(vec![Geometry::Mesh(mesh)], path)?, camera: None, sources: vec![path.into()] })
+}
+
+/// The middle of the scene's box on a grid that is as coarse as the box allows: subtracting it moves few digits.
+fn middle(scene: &Scene) -> DVec3 {
+    let Some([low, high]) = scene.bounds().map(|bounds| bounds.map(|corner| corner.as_dvec3())) else {
+        return DVec3::ZERO;
+    };
+    let size = (high - low).max_element();
+    let step = if size > 0.0 { size.log2().floor().exp2() } else { 1.0 };
+    // The farthest multiples are those that f64 has, and their sum is.
+    ((low / 2.0 + high / 2.0) / step).round() * step
+}
+
+fn load_from(path: &Path, origin: Option<DVec3>) -> Result<LoadedScene, Error> {
+    if ending(path) == "toml" {
+        return scene_file::load(path, origin);
+    }
+    let mut told = Told::at(origin.unwrap_or_default());
+    let mesh = load_mesh(path, "give a scene: .obj, .ply, .stl, .gltf, .glb or .toml", &mut told)?;
+    Ok(told.of(valid(vec![Geometry::Mesh(mesh)], path)?, None, vec![path.into()]))
 }
 
 /// The scene of what was read from a file. Readers refuse with a better place what is no primitive.
@@ -63,13 +124,14 @@ fn valid(geometries: Vec<Geometry>, path: &Path) -> Result<Scene, Error> {
 }
 
 /// Reads a mesh by the file's ending; `endings` says which would be right.
-fn load_mesh(path: &Path, endings: &str) -> Result<Mesh, Error> {
+fn load_mesh(path: &Path, endings: &str, told: &mut Told) -> Result<Mesh, Error> {
     let name = path.display().to_string();
+    let reading = Reading::new(&name, told);
     match ending(path).as_str() {
-        "obj" => obj::parse(&name, &read(path)?),
-        "ply" => ply::parse(&name, &read(path)?),
-        "stl" => stl::parse(&name, &read(path)?),
-        "gltf" | "glb" => gltf::parse(path, &read(path)?),
+        "obj" => obj::parse(&name, &read(path)?, reading),
+        "ply" => ply::parse(&name, &read(path)?, reading),
+        "stl" => stl::parse(&name, &read(path)?, reading),
+        "gltf" | "glb" => gltf::parse(path, &read(path)?, reading),
         other => Err(unknown_ending(name, other, endings)),
     }
 }

@@ -1,15 +1,19 @@
 //! The scene file, TOML: several geometries, and a camera.
 
+use std::ops::Range;
 use std::path::Path;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use serde::Deserialize;
-use toml::Value;
+use toml::de::DeValue;
+use toml::{Spanned, Value};
 
-use super::faults::{Faults, nearest};
+use super::reading::{Reading, Told, Vertices};
 use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending, valid};
 use crate::Error;
-use rayproof_scene::{Camera, Geometry, Mesh, Sphere, number};
+use crate::decimal::{Number, nearest};
+use crate::quote::quoted;
+use rayproof_scene::{Camera, Geometry, Mesh, Sphere};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -17,6 +21,8 @@ struct SceneFile {
     #[serde(default)]
     geometry: Vec<Entry>,
     camera: Option<View>,
+    /// Subtracted from every point.
+    origin: Option<[f64; 3]>,
 }
 
 #[derive(Deserialize)]
@@ -24,9 +30,9 @@ struct SceneFile {
 struct Entry {
     mesh: Option<String>,
     /// A path, or rows of `[x, y, z, radius]`.
-    spheres: Option<Value>,
+    spheres: Option<Spanned<Value>>,
     /// Rows of three corners, `[ax, ay, az, bx, by, bz, cx, cy, cz]`.
-    triangles: Option<Value>,
+    triangles: Option<Spanned<Value>>,
 }
 
 #[derive(Deserialize)]
@@ -38,7 +44,7 @@ struct View {
     fov_y: f64,
 }
 
-pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
+pub(super) fn load(path: &Path, origin: Option<DVec3>) -> Result<LoadedScene, Error> {
     let name = path.display().to_string();
     let expected =
         "give [[geometry]] with `mesh`, `spheres` or `triangles`, and [camera] with `eye`, `target`, `up` and `fov_y`";
@@ -53,120 +59,175 @@ pub(super) fn load(path: &Path) -> Result<LoadedScene, Error> {
         Error::bad(&name, format!("line {line}"), e.message().trim_end(), expected)
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let named =
-        file.geometry.iter().filter_map(|entry| entry.mesh.as_deref().or_else(|| entry.spheres.as_ref()?.as_str()));
+    let named = file
+        .geometry
+        .iter()
+        .filter_map(|entry| entry.mesh.as_deref().or_else(|| entry.spheres.as_ref()?.get_ref().as_str()));
     let sources = std::iter::once(path.into()).chain(named.map(|name| folder.join(name))).collect();
+    let origin = origin.or(file.origin.map(Into::into)).unwrap_or_default();
+    if !origin.is_finite() {
+        return Err(Error::bad(&name, "origin", "it is not finite", "give three finite numbers"));
+    }
+    let mut told = Told::at(origin);
+    let mut scene = SceneText { file: &name, folder, text, told: &mut told };
     let entries = file.geometry.into_iter().enumerate();
-    let geometries = entries.map(|(i, entry)| geometry(&name, folder, i, entry)).collect::<Result<_, _>>()?;
-    let camera = file.camera.map(|view| camera(&name, &view)).transpose()?;
-    Ok(LoadedScene { scene: valid(geometries, path)?, camera, sources })
+    let geometries = entries.map(|(i, entry)| scene.geometry(i, entry)).collect::<Result<_, _>>()?;
+    let camera = file.camera.map(|view| camera(&name, &view, origin)).transpose()?;
+    Ok(told.of(valid(geometries, path)?, camera, sources))
 }
 
-fn geometry(file: &str, folder: &Path, i: usize, entry: Entry) -> Result<Geometry, Error> {
-    match (entry.mesh, entry.spheres, entry.triangles) {
-        (Some(mesh), None, None) => {
-            let path = folder.join(&mesh);
-            if ending(&path) == "toml" {
-                let place = format!("geometry {i} (counting from 0)");
-                let what = format!("mesh = \"{mesh}\" is a scene file");
-                return Err(Error::bad(file, place, what, "list that file's geometries here"));
+/// A scene file being read.
+struct SceneText<'a> {
+    file: &'a str,
+    folder: &'a Path,
+    text: &'a str,
+    told: &'a mut Told,
+}
+
+impl SceneText<'_> {
+    fn geometry(&mut self, i: usize, entry: Entry) -> Result<Geometry, Error> {
+        let Self { file, folder, .. } = *self;
+        let part = |value: &Spanned<Value>| value.span();
+        let (spheres_at, triangles_at) = (entry.spheres.as_ref().map(part), entry.triangles.as_ref().map(part));
+        match (entry.mesh, entry.spheres.map(Spanned::into_inner), entry.triangles.map(Spanned::into_inner)) {
+            (Some(mesh), None, None) => {
+                let path = folder.join(&mesh);
+                if ending(&path) == "toml" {
+                    let place = format!("geometry {i} (counting from 0)");
+                    let what = format!("mesh = \"{mesh}\" is a scene file");
+                    return Err(Error::bad(file, place, what, "list that file's geometries here"));
+                }
+                load_mesh(&path, "give a mesh: .obj, .ply, .stl, .gltf or .glb", self.told).map(Geometry::Mesh)
             }
-            load_mesh(&path, "give a mesh: .obj, .ply, .stl, .gltf or .glb").map(Geometry::Mesh)
-        }
-        (None, Some(Value::String(table)), None) => {
-            let path = folder.join(table);
-            let name = path.display().to_string();
-            let spheres = match ending(&path).as_str() {
-                "npy" => spheres::npy(&name, &read(&path)?),
-                "csv" => spheres::csv(&name, &read(&path)?),
-                other => Err(unknown_ending(name, other, "give a table of spheres: .npy or .csv")),
-            };
-            spheres.map(Geometry::Spheres)
-        }
-        (None, Some(Value::Array(rows)), None) => spheres_of(file, i, &rows).map(Geometry::Spheres),
-        (None, None, Some(Value::Array(rows))) => triangles_of(file, i, &rows).map(Geometry::Mesh),
-        (mesh, spheres, triangles) => {
-            let what = match [mesh.is_some(), spheres.is_some(), triangles.is_some()] {
-                [false, false, false] => "it has no `mesh`, no `spheres` and no `triangles`",
-                [false, true, false] => "`spheres` is neither a path nor rows",
-                [false, false, true] => "`triangles` are no rows",
-                _ => "it has more than one of `mesh`, `spheres` and `triangles`",
-            };
-            let expected = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..], \
+            (None, Some(Value::String(table)), None) => {
+                let path = folder.join(table);
+                let name = path.display().to_string();
+                let reading = Reading::new(&name, self.told);
+                let spheres = match ending(&path).as_str() {
+                    "npy" => spheres::npy(&name, &read(&path)?, reading),
+                    "csv" => spheres::csv(&name, &read(&path)?, reading),
+                    other => Err(unknown_ending(name, other, "give a table of spheres: .npy or .csv")),
+                };
+                spheres.map(Geometry::Spheres)
+            }
+            (None, Some(Value::Array(_)), None) => {
+                self.spheres(i, spheres_at.unwrap_or_default()).map(Geometry::Spheres)
+            }
+            (None, None, Some(Value::Array(_))) => {
+                self.triangles(i, triangles_at.unwrap_or_default()).map(Geometry::Mesh)
+            }
+            (mesh, spheres, triangles) => {
+                let what = match [mesh.is_some(), spheres.is_some(), triangles.is_some()] {
+                    [false, false, false] => "it has no `mesh`, no `spheres` and no `triangles`",
+                    [false, true, false] => "`spheres` is neither a path nor rows",
+                    [false, false, true] => "`triangles` are no rows",
+                    _ => "it has more than one of `mesh`, `spheres` and `triangles`",
+                };
+                let expected = "give one of: mesh = \"a path\", spheres = \"a path\", spheres = [[x, y, z, radius], ..], \
                             triangles = [[ax, ay, az, bx, by, bz, cx, cy, cz], ..]";
-            Err(Error::bad(file, format!("geometry {i} (counting from 0)"), what, expected))
+                Err(Error::bad(file, format!("geometry {i} (counting from 0)"), what, expected))
+            }
         }
     }
-}
 
-/// Rows of `[x, y, z, radius]` in the file itself.
-fn spheres_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Vec<Sphere>, Error> {
-    let mut faults = Faults::new(file);
-    let mut table = Vec::with_capacity(rows.len());
-    for (i, row) in rows.iter().enumerate() {
-        let place = format_args!("geometry {geometry}, sphere {i} (counting from 0)");
-        match numbers(row, "four") {
+    /// Rows of `[x, y, z, radius]` in the file itself.
+    fn spheres(&mut self, geometry: usize, at: Range<usize>) -> Result<Vec<Sphere>, Error> {
+        let mut reading = Reading::new(self.file, self.told);
+        let mut table = Vec::new();
+        rows(&self.text[at], |i, row| {
+            let place = format_args!("geometry {geometry}, sphere {i} (counting from 0)");
+            match numbers(row, "four") {
+                Ok(row) => table.push(reading.sphere(place, row)),
+                Err(what) => reading.fault(place, format_args!("{what}"), "give [x, y, z, radius]"),
+            }
+        });
+        reading.end()?;
+        Ok(table)
+    }
+
+    /// Rows of three corners in the file itself.
+    fn triangles(&mut self, geometry: usize, at: Range<usize>) -> Result<Mesh, Error> {
+        let mut reading = Reading::new(self.file, self.told);
+        let (mut vertices, mut triangles) = (Vertices::default(), Vec::new());
+        let place = |i| format!("geometry {geometry}, triangle {i} (counting from 0)");
+        rows(&self.text[at], |i, row| match numbers::<9>(row, "nine") {
             Ok(row) => {
-                faults.sphere(place, spheres::sphere(row));
-                table.push(spheres::sphere(row));
+                let first = u32::try_from(vertices.len()).expect("no text of 2^32 vertices fits into memory");
+                row.as_chunks::<3>().0.iter().for_each(|&corner| vertices.push(corner, i, &mut reading));
+                triangles.push([first, first + 1, first + 2]);
             }
-            Err(what) => faults.add(place, format_args!("{what}"), "give [x, y, z, radius]"),
-        }
+            Err(what) => {
+                let expected = "give [ax, ay, az, bx, by, bz, cx, cy, cz]";
+                reading.fault(format_args!("{}", place(i)), format_args!("{what}"), expected);
+            }
+        });
+        let mesh = vertices.mesh(triangles, place, &mut reading);
+        reading.end()?;
+        Ok(mesh)
     }
-    faults.none()?;
-    Ok(table)
 }
 
-/// Rows of three corners in the file itself.
-fn triangles_of(file: &str, geometry: usize, rows: &[Value]) -> Result<Mesh, Error> {
-    let mut faults = Faults::new(file);
-    let mut mesh = Mesh::default();
-    for (i, row) in rows.iter().enumerate() {
-        let place = format_args!("geometry {geometry}, triangle {i} (counting from 0)");
-        let [ax, ay, az, bx, by, bz, cx, cy, cz] = match numbers(row, "nine") {
-            Ok(row) => row,
-            Err(what) => {
-                faults.add(place, format_args!("{what}"), "give [ax, ay, az, bx, by, bz, cx, cy, cz]");
-                continue;
-            }
-        };
-        let corners = [Vec3::new(ax, ay, az), Vec3::new(bx, by, bz), Vec3::new(cx, cy, cz)];
-        corners.into_iter().for_each(|corner| faults.vertex(place, corner));
-        let first = u32::try_from(mesh.vertices.len()).expect("no text of 2^32 vertices fits into memory");
-        mesh.vertices.extend(corners);
-        mesh.triangles.push([first, first + 1, first + 2]);
+/// The rows of an array, with their numbers as they are written: by way of `f64` some would be rounded twice.
+fn rows(text: &str, mut each: impl FnMut(usize, &DeValue<'_>)) {
+    // It was parsed with the file.
+    let Ok(array) = DeValue::parse(text) else { return };
+    for (i, row) in array.get_ref().as_array().into_iter().flatten().enumerate() {
+        each(i, row.get_ref());
     }
-    faults.none()?;
-    Ok(mesh)
 }
 
 /// A row of exactly `N` numbers, or what it is instead.
-fn numbers<const N: usize>(row: &Value, count: &str) -> Result<[f32; N], String> {
-    let Some(entries) = row.as_array().filter(|entries| entries.len() == N) else {
-        return Err(format!("`{row}` is not {count} numbers"));
+fn numbers<const N: usize>(row: &DeValue<'_>, count: &str) -> Result<[Number; N], String> {
+    let entries = row.as_array().filter(|entries| entries.len() == N);
+    let Some(entries) = entries else {
+        return Err(format!("{} is not {count} numbers", shown(row)));
     };
-    let mut numbers = [0.0; N];
+    let mut numbers = [Number::default(); N];
     for (number, entry) in numbers.iter_mut().zip(entries) {
-        let what = || format!("`{entry}` is no number, and no hexadecimal float that is an f32");
+        let entry = entry.get_ref();
+        let what = || format!("{} is no number, and no hexadecimal float that is an f32", shown(entry));
         *number = number_of(entry).ok_or_else(what)?;
     }
     Ok(numbers)
 }
 
-#[expect(clippy::cast_precision_loss, reason = "integers are rounded to the nearest too")]
-fn number_of(value: &Value) -> Option<f32> {
-    match *value {
-        Value::Float(x) => Some(nearest(x)),
-        Value::Integer(x) => Some(x as f32),
+fn number_of(value: &DeValue<'_>) -> Option<Number> {
+    match value {
+        DeValue::Float(x) => Number::parse(x.as_str().as_bytes()),
+        DeValue::Integer(x) if x.radix() == 10 => Number::parse(x.as_str().as_bytes()),
+        #[expect(clippy::cast_precision_loss, reason = "integers are rounded to the nearest too")]
+        DeValue::Integer(x) => i64::from_str_radix(x.as_str(), x.radix()).ok().map(|x| (x as f64).into()),
         // TOML has no hexadecimal floats.
-        Value::String(ref word) if word.contains(['x', 'X']) => number::parse(word),
+        DeValue::String(word) if word.contains(['x', 'X']) => Number::parse_any(word.as_bytes()),
         _ => None,
     }
 }
 
-fn camera(file: &str, view: &View) -> Result<Camera, Error> {
-    let [eye, target, up] = [view.eye, view.target, view.up].map(|v| Vec3::from(v.map(nearest)));
-    let camera = Camera { eye, target, up, fov_y: nearest(view.fov_y) };
+/// A value as a message quotes it.
+fn shown(value: &DeValue<'_>) -> String {
+    match value {
+        DeValue::String(text) => quoted(format!("\"{text}\"")),
+        DeValue::Integer(x) => quoted(x.to_string()),
+        DeValue::Float(x) => quoted(x.to_string()),
+        DeValue::Boolean(x) => quoted(x.to_string()),
+        DeValue::Datetime(x) => quoted(x.to_string()),
+        DeValue::Array(entries) if entries.iter().all(|entry| entry.get_ref().as_array().is_none()) => {
+            let entries: Vec<String> =
+                entries.iter().take(12).map(|entry| shown(entry.get_ref()).trim_matches('`').to_owned()).collect();
+            quoted(format!("[{}]", entries.join(", ")))
+        }
+        DeValue::Array(_) => "an array of arrays".to_owned(),
+        DeValue::Table(_) => "a table".to_owned(),
+    }
+}
+
+fn camera(file: &str, view: &View, origin: DVec3) -> Result<Camera, Error> {
+    let place = |point: [f64; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|axis| Number::from(point[axis]).minus(origin[axis]).single);
+        Vec3::new(x, y, z)
+    };
+    let up = Vec3::from(view.up.map(nearest));
+    let camera = Camera { eye: place(view.eye), target: place(view.target), up, fov_y: nearest(view.fov_y) };
     match camera.fault() {
         None => Ok(camera),
         Some([what, expected]) => Err(Error::bad(file, "[camera]", what, expected)),

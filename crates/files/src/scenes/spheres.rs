@@ -1,18 +1,14 @@
 //! Tables of spheres: `.npy` and `.csv`.
 
-use glam::Vec3;
-
-use super::faults::{Faults, nearest};
+use super::reading::Reading;
 use crate::Error;
+use crate::decimal::Number;
+use crate::quote::quoted;
 use crate::tables::npy::Header;
-use rayproof_scene::{Sphere, number};
-
-pub(super) fn sphere([x, y, z, radius]: [f32; 4]) -> Sphere {
-    Sphere { center: Vec3::new(x, y, z), radius }
-}
+use rayproof_scene::Sphere;
 
 /// A header and rows of `x,y,z,r`.
-pub(super) fn csv(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
+pub(super) fn csv(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Result<Vec<Sphere>, Error> {
     let expected = "give a header `x,y,z,r` and four numbers a line";
     let bad = |e: &csv::Error| {
         let place = e.position().map_or("the file".into(), |at| format!("line {}", at.line()));
@@ -29,29 +25,27 @@ pub(super) fn csv(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
         let what = format!("the header is `{}`", header.iter().collect::<Vec<_>>().join(","));
         return Err(Error::bad(file, "line 1", what, expected));
     }
-    let mut faults = Faults::new(file);
     let mut spheres = Vec::new();
     let mut record = csv::StringRecord::new();
     while reader.read_record(&mut record).map_err(|e| bad(&e))? {
         let line = record.position().map_or(0, csv::Position::line);
-        let mut row = [0.0; 4];
+        let mut row = [Number::default(); 4];
         for (value, word) in row.iter_mut().zip(&record) {
-            *value = number::parse(word).unwrap_or_else(|| {
-                faults.add(format_args!("line {line}"), format_args!("`{word}` is not a number"), expected);
-                0.0
+            *value = Number::parse_any(word.as_bytes()).unwrap_or_else(|| {
+                reading.fault(format_args!("line {line}"), format_args!("{} is not a number", quoted(word)), expected);
+                Number::default()
             });
         }
-        faults.sphere(format_args!("line {line}"), sphere(row));
-        spheres.push(sphere(row));
+        spheres.push(reading.sphere(format_args!("line {line}"), row));
     }
-    faults.none()?;
+    reading.end()?;
     Ok(spheres)
 }
 
 const TABLE: &str = "give an array of shape (N, 4), dtype float32 or float64, little-endian, in C order";
 
 /// An array `(N, 4)` of little-endian float32 or float64.
-pub(super) fn npy(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
+pub(super) fn npy(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Result<Vec<Sphere>, Error> {
     let bad = |what: String| Error::bad(file, "the header", what, TABLE);
     let mut rest = bytes;
     let header = Header::read(&mut rest).map_err(|e| bad(e.to_string()))?;
@@ -76,17 +70,15 @@ pub(super) fn npy(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
             "give the whole file",
         ));
     }
-    let spheres: Vec<_> = if wide {
-        let row = |row| bytemuck::pod_read_unaligned::<[[u8; 8]; 4]>(row).map(|x| nearest(f64::from_le_bytes(x)));
-        rest.chunks_exact(32).map(row).map(sphere).collect()
+    let rows: Box<dyn Iterator<Item = [Number; 4]>> = if wide {
+        let row = |row| bytemuck::pod_read_unaligned::<[[u8; 8]; 4]>(row).map(|x| f64::from_le_bytes(x).into());
+        Box::new(rest.chunks_exact(32).map(row))
     } else {
-        let row = |row| bytemuck::pod_read_unaligned::<[[u8; 4]; 4]>(row).map(f32::from_le_bytes);
-        rest.chunks_exact(16).map(row).map(sphere).collect()
+        let row = |row| bytemuck::pod_read_unaligned::<[[u8; 4]; 4]>(row).map(|x| f32::from_le_bytes(x).into());
+        Box::new(rest.chunks_exact(16).map(row))
     };
-    let mut faults = Faults::new(file);
-    for (i, &sphere) in spheres.iter().enumerate() {
-        faults.sphere(format_args!("row {i} (counting from 0)"), sphere);
-    }
-    faults.none()?;
+    let spheres =
+        rows.enumerate().map(|(i, row)| reading.sphere(format_args!("row {i} (counting from 0)"), row)).collect();
+    reading.end()?;
     Ok(spheres)
 }

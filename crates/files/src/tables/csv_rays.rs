@@ -7,12 +7,14 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::faults::Faults;
+use super::admission::Admission;
 use super::input::Input;
 use super::ray_reader::Source;
-use super::{DEFAULT_ROW, RAY_COLUMNS, places, ray_of};
+use super::{DEFAULT_ROW, RAY_COLUMNS, places};
+use crate::decimal::Number;
+use crate::quote::quoted;
 use crate::{BadInput, Error};
-use rayproof_scene::{Ray, number};
+use rayproof_scene::Ray;
 
 /// The longest line that is read, in bytes: what is longer is no table of rays.
 const MAX_LINE: usize = 1 << 16;
@@ -115,17 +117,15 @@ impl CsvRays {
     }
 
     /// The row in the current line.
-    fn parse(&self) -> Result<[f32; 8], Fault> {
-        let mut values = DEFAULT_ROW;
+    fn parse(&self) -> Result<[Number; 8], Fault> {
+        let mut values = DEFAULT_ROW.map(Number::from);
         let mut count = 0;
         for (i, field) in fields(&self.text).enumerate() {
             count += 1;
             let Some(&column) = self.columns.get(i) else { continue };
-            // Straight to f32: by way of f64 it would be rounded twice.
-            values[column] = std::str::from_utf8(field).ok().and_then(number::parse).ok_or_else(|| {
-                let field = String::from_utf8_lossy(field).chars().take(80).collect::<String>();
+            values[column] = Number::parse_any(field).ok_or_else(|| {
                 (
-                    format!("{} is {field:?}, not a number", RAY_COLUMNS[column]),
+                    format!("{} is {}, not a number", RAY_COLUMNS[column], quoted(field)),
                     "give a decimal number, or a hexadecimal float that is an f32".to_owned(),
                 )
             })?;
@@ -149,10 +149,10 @@ impl CsvRays {
 }
 
 impl Source for CsvRays {
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, faults: &mut Faults) -> Result<(), Error> {
+    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error> {
         while rays.len() < max && self.next_row()? {
             match self.parse() {
-                Ok(values) => rays.push(faults.admit(ray_of(values), || self.line())),
+                Ok(values) => rays.push(admission.admit(values, || self.line())),
                 Err(fault) => return Err(self.malformed(fault)),
             }
         }
@@ -194,11 +194,6 @@ impl Source for CsvRays {
         }
         self.left = rows.end - rows.start;
         Ok(())
-    }
-
-    /// Always 0: a decimal is read as the nearest `f32`, and most decimals are none.
-    fn rounded_values(&self) -> u64 {
-        0
     }
 }
 

@@ -4,8 +4,8 @@
 //! is not exactly a table of rays is an [`Error::Bad`](crate::Error::Bad). Writers never leave half a file under
 //! the name they were given.
 
+mod admission;
 mod csv_rays;
-mod faults;
 mod format;
 mod hit_writer;
 mod input;
@@ -69,11 +69,3 @@ fn row_of(ray: &rayproof_scene::Ray) -> [f32; 8] {
 
 /// The row of a ray whose range is not given: `t_min = 0`, `t_max = inf`.
 const DEFAULT_ROW: [f32; 8] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, f32::INFINITY];
-
-/// The nearest `f32`; `changed` counts the values that are not the same number afterwards.
-fn round(x: f64, changed: &mut u64) -> f32 {
-    #[expect(clippy::cast_possible_truncation, reason = "rounds to the nearest, which is what is asked for")]
-    let rounded = x as f32;
-    *changed += u64::from(!x.is_nan() && f64::from(rounded) != x);
-    rounded
-}

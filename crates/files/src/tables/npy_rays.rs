@@ -2,12 +2,13 @@ use std::io::{self, Read};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::faults::Faults;
+use super::admission::Admission;
 use super::input::Input;
 use super::npy::{Header, HeaderError};
 use super::ray_reader::Source;
-use super::{BLOCK_ROWS, DEFAULT_ROW, ray_of, round};
+use super::{BLOCK_ROWS, DEFAULT_ROW};
 use crate::Error;
+use crate::decimal::Number;
 use rayproof_scene::Ray;
 
 /// What would be right, in every message about an array that is not a table of rays.
@@ -26,7 +27,6 @@ pub(super) struct NpyRays {
     /// The next row to read, and the one to stop before.
     next: u64,
     end: u64,
-    rounded: u64,
     block: Vec<u8>,
 }
 
@@ -53,7 +53,7 @@ impl NpyRays {
             return Err(bad("the array is in Fortran order".to_owned()));
         }
         let (path, block) = (path.to_owned(), Vec::new());
-        let rays = Self { path, input, columns, width, rows, next: 0, end: rows, rounded: 0, block };
+        let rays = Self { path, input, columns, width, rows, next: 0, end: rows, block };
         let data = rows
             .checked_mul(rays.row_bytes() as u64)
             .ok_or_else(|| bad(format!("the shape is {}, more than a file can hold", header.shape)))?;
@@ -97,22 +97,22 @@ impl NpyRays {
     }
 
     /// Appends the whole rows in the first `bytes` bytes of the block.
-    fn decode(&mut self, bytes: usize, rays: &mut Vec<Ray>, faults: &mut Faults) {
+    fn decode(&mut self, bytes: usize, rays: &mut Vec<Ray>, admission: &mut Admission) {
         for row in self.block[..bytes].chunks_exact(self.columns * self.width) {
-            let mut values = DEFAULT_ROW;
-            let note = if self.width == 4 {
+            let next = self.next;
+            rays.push(if self.width == 4 {
+                let mut values = DEFAULT_ROW;
                 for (value, x) in values.iter_mut().zip(row.as_chunks::<4>().0) {
                     *value = f32::from_le_bytes(*x);
                 }
-                ""
+                admission.admit_singles(values, || format!("row {next} (counting from 0)"))
             } else {
+                let mut values = DEFAULT_ROW.map(Number::from);
                 for (value, x) in values.iter_mut().zip(row.as_chunks::<8>().0) {
-                    *value = round(f64::from_le_bytes(*x), &mut self.rounded);
+                    *value = f64::from_le_bytes(*x).into();
                 }
-                ", rounded to float32"
-            };
-            let next = self.next;
-            rays.push(faults.admit(ray_of(values), || format!("row {next} (counting from 0{note})")));
+                admission.admit(values, || format!("row {next} (counting from 0, rounded to float32)"))
+            });
             self.next += 1;
         }
     }
@@ -128,13 +128,13 @@ impl NpyRays {
 }
 
 impl Source for NpyRays {
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, faults: &mut Faults) -> Result<(), Error> {
+    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error> {
         while rays.len() < max && self.next < self.end {
             let left = usize::try_from(self.end - self.next).unwrap_or(usize::MAX);
             let rows = left.min(max - rays.len()).min(BLOCK_ROWS);
             let got = self.read_block(rows)?;
             let before = self.next;
-            self.decode(got, rays, faults);
+            self.decode(got, rays, admission);
             if got < self.block.len() {
                 let there = u128::from(before) * self.row_bytes() as u128 + got as u128;
                 return Err(self.wrong_size(&there.to_string(), self.next));
@@ -156,9 +156,5 @@ impl Source for NpyRays {
         }
         (self.next, self.end) = (rows.start, rows.end);
         Ok(())
-    }
-
-    fn rounded_values(&self) -> u64 {
-        self.rounded
     }
 }

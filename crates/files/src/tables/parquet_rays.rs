@@ -11,10 +11,11 @@ use parquet::arrow::arrow_reader::{
 };
 use parquet::errors::ParquetError;
 
-use super::faults::Faults;
+use super::admission::Admission;
 use super::ray_reader::Source;
-use super::{BLOCK_ROWS, DEFAULT_ROW, RAY_COLUMNS, places, ray_of, round};
+use super::{BLOCK_ROWS, DEFAULT_ROW, RAY_COLUMNS, places};
 use crate::Error;
+use crate::decimal::Number;
 use rayproof_scene::Ray;
 
 /// What would be right, in a message about the columns.
@@ -29,13 +30,12 @@ pub(super) struct ParquetRays {
     /// For each column of the file, its place in [`RAY_COLUMNS`].
     columns: Vec<usize>,
     /// The block being handed on: its rows, and how many of them are gone.
-    block: Vec<[f32; 8]>,
+    block: Vec<[Number; 8]>,
     gone: usize,
     rows: u64,
     /// The next row to hand on, and the one to stop before.
     next: u64,
     end: u64,
-    rounded: u64,
     /// What a place says of values that were rounded.
     note: &'static str,
 }
@@ -63,7 +63,6 @@ impl ParquetRays {
             rows,
             next: 0,
             end: rows,
-            rounded: 0,
             note: if double { ", rounded to float32" } else { "" },
         })
     }
@@ -92,7 +91,7 @@ impl ParquetRays {
     }
 
     fn convert(&mut self, batch: &RecordBatch) -> Result<(), Error> {
-        self.block.resize(batch.num_rows(), DEFAULT_ROW);
+        self.block.resize(batch.num_rows(), DEFAULT_ROW.map(Number::from));
         for (array, &column) in batch.columns().iter().zip(&self.columns) {
             if array.null_count() > 0 {
                 let row = (0..array.len()).find(|&i| array.is_null(i)).unwrap_or(0);
@@ -100,10 +99,9 @@ impl ParquetRays {
                 return Err(self.bad(format!("{} is null", RAY_COLUMNS[column])));
             }
             if let Some(values) = array.as_any().downcast_ref::<Float32Array>() {
-                self.block.iter_mut().zip(values.values()).for_each(|(row, &x)| row[column] = x);
+                self.block.iter_mut().zip(values.values()).for_each(|(row, &x)| row[column] = x.into());
             } else if let Some(values) = array.as_any().downcast_ref::<Float64Array>() {
-                let changed = &mut self.rounded;
-                self.block.iter_mut().zip(values.values()).for_each(|(row, &x)| row[column] = round(x, changed));
+                self.block.iter_mut().zip(values.values()).for_each(|(row, &x)| row[column] = x.into());
             } else {
                 return Err(self.bad(format!("{} is not of the schema's type", RAY_COLUMNS[column])));
             }
@@ -113,7 +111,7 @@ impl ParquetRays {
 }
 
 impl Source for ParquetRays {
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, faults: &mut Faults) -> Result<(), Error> {
+    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error> {
         while rays.len() < max {
             if self.gone == self.block.len() && !self.next_block()? {
                 break;
@@ -121,7 +119,7 @@ impl Source for ParquetRays {
             let rows = (self.block.len() - self.gone).min(max - rays.len());
             for &row in &self.block[self.gone..self.gone + rows] {
                 let (next, note) = (self.next, self.note);
-                rays.push(faults.admit(ray_of(row), || format!("row {next} (counting from 0{note})")));
+                rays.push(admission.admit(row, || format!("row {next} (counting from 0{note})")));
                 self.next += 1;
             }
             self.gone += rows;
@@ -153,10 +151,6 @@ impl Source for ParquetRays {
         self.reader = guarded(select).map_err(|error| broken(&self.path, &error))?;
         (self.next, self.end) = (rows.start, rows.end);
         Ok(())
-    }
-
-    fn rounded_values(&self) -> u64 {
-        self.rounded
     }
 }
 

@@ -3,18 +3,18 @@ use std::io::{self, Cursor, Read};
 use std::ops::Range;
 use std::path::Path;
 
+use super::admission::Admission;
 use super::csv_rays::CsvRays;
-use super::faults::Faults;
 use super::format::{Format, is_standard_stream};
 use super::input::Input;
 use super::npy_rays::NpyRays;
-use crate::Error;
+use crate::{Error, Rounding};
 use rayproof_scene::{InvalidRays, Ray};
 
 /// A table of rays in one format.
 pub(super) trait Source: Send {
     /// Appends the next rays until there are `max` or the table ends. Rays before an error are appended.
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, faults: &mut Faults) -> Result<(), Error>;
+    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error>;
 
     /// The rows of the whole table, where its header tells.
     fn total(&self) -> Option<u64>;
@@ -26,9 +26,6 @@ pub(super) trait Source: Send {
 
     /// Goes to the first of these rows, without a look at those before, and ends after the last. Asked before the first `fill`.
     fn select(&mut self, rows: Range<u64>) -> Result<(), Error>;
-
-    /// How many values changed so far because they were rounded to `f32`.
-    fn rounded_values(&self) -> u64;
 }
 
 /// Reads rays from a file or stdin, a batch at a time.
@@ -37,7 +34,7 @@ pub(super) trait Source: Send {
 /// `.npy` of shape `(N, 6)` or `(N, 8)`, or columns of those names in `.csv` and `.parquet`.
 pub struct RayReader {
     source: Box<dyn Source>,
-    faults: Faults,
+    admission: Admission,
     /// How many rows were selected, if any were.
     selected: Option<u64>,
 }
@@ -69,7 +66,7 @@ impl RayReader {
             Format::Csv => Box::new(CsvRays::open(path, Input::File(file))?),
             Format::Parquet => parquet(path, file)?,
         };
-        Ok(Self { source, faults: Faults::new(path.to_owned(), invalid), selected: None })
+        Ok(Self { source, admission: Admission::new(path.to_owned(), invalid), selected: None })
     }
 
     /// Reads from a pipe of unknown length; errors call it `path`.
@@ -94,7 +91,7 @@ impl RayReader {
                 parquet(path, file)?
             }
         };
-        Ok(Self { source, faults: Faults::new(path.to_owned(), invalid), selected: None })
+        Ok(Self { source, admission: Admission::new(path.to_owned(), invalid), selected: None })
     }
 
     /// How many rows there are in all: what the header says, else counted by going through a file once, without a look at the
@@ -131,16 +128,16 @@ impl RayReader {
     /// reader is spent.
     pub fn next_batch(&mut self, rays: &mut Vec<Ray>, max: usize) -> Result<usize, Error> {
         rays.clear();
-        let filled = self.source.fill(rays, max, &mut self.faults);
+        let filled = self.source.fill(rays, max, &mut self.admission);
         // A bad ray comes before whatever ended the batch, so it is the first thing wrong.
-        if self.faults.stops() {
+        if self.admission.stops() {
             let mut more = filled.is_ok() && !rays.is_empty();
             while more {
                 rays.clear();
-                more = self.source.fill(rays, super::BLOCK_ROWS, &mut self.faults).is_ok() && !rays.is_empty();
+                more = self.source.fill(rays, super::BLOCK_ROWS, &mut self.admission).is_ok() && !rays.is_empty();
             }
             rays.clear();
-            return self.faults.error().map_or(Ok(0), Err);
+            return self.admission.error().map_or(Ok(0), Err);
         }
         filled?;
         Ok(rays.len())
@@ -155,13 +152,27 @@ impl RayReader {
     /// How many bad rays were handed on as misses so far.
     #[must_use]
     pub fn invalid(&self) -> u64 {
-        self.faults.count()
+        self.admission.count()
     }
 
-    /// How many `float64` values changed so far when they were rounded to the nearest `f32`.
+    /// What rounding to the nearest `f32` changed so far; its shift is that of origins.
     #[must_use]
-    pub fn rounded_values(&self) -> u64 {
-        self.source.rounded_values()
+    pub fn rounding(&self) -> Rounding {
+        self.admission.rounding()
+    }
+
+    /// Subtracts this from every origin, exactly, before it is rounded: what was subtracted from the scene.
+    ///
+    /// To be called before the first batch.
+    pub fn subtract(&mut self, origin: [f64; 3]) {
+        self.admission.origin = origin.into();
+    }
+
+    /// Makes it an error that rounding moves an origin by more than `most`.
+    ///
+    /// To be called before the first batch.
+    pub fn refuse_shifts_beyond(&mut self, most: f64) {
+        self.admission.most = most;
     }
 }
 

@@ -1,4 +1,4 @@
-use rayproof_files::{self as files, HitWriter, RayReader};
+use rayproof_files::{self as files, HitWriter, RayReader, Rounding};
 use rayproof_scene::Undecided;
 
 use super::Answer;
@@ -26,8 +26,8 @@ pub struct Done<A> {
     pub hits: u64,
     /// How many were bad, and taken as misses.
     pub invalid: u64,
-    /// How many `float64` values changed when they were rounded to `f32`.
-    pub rounded: u64,
+    /// What rounding the rays' numbers to `f32` changed.
+    pub rounding: Rounding,
     /// How many rays the stages of the precision `exact` left open.
     pub undecided: Undecided,
     /// From the first ray handed to the engine to the last answer back.
@@ -83,7 +83,7 @@ impl Job<'_> {
             rays: traced.rays,
             hits: hit,
             invalid: rays.invalid(),
-            rounded: rays.rounded_values(),
+            rounding: rays.rounding(),
             undecided,
             seconds: traced.seconds,
             samples: sampler.finish(),

@@ -3,16 +3,15 @@
 use glam::Vec3;
 use proptest::prelude::*;
 
-use super::super::spheres;
-use super::{config, parse, write};
+use super::{config, csv, npy, parse, write};
 use crate::Error;
 use rayproof_scene::Mesh;
 
 /// Reads bytes by any of the readers.
 fn read(reader: &str, bytes: &[u8]) -> Result<(), Error> {
     match reader {
-        "csv" => spheres::csv("f.csv", bytes).map(drop),
-        "npy" => spheres::npy("f.npy", bytes).map(drop),
+        "csv" => csv("f.csv", bytes).map(drop),
+        "npy" => npy("f.npy", bytes).map(drop),
         ending => {
             let mesh = parse(ending, bytes)?;
             // What is read can be used.

@@ -4,6 +4,7 @@ mod gltf;
 mod hostile;
 mod obj;
 mod ply;
+mod polygon;
 mod scene_file;
 mod spheres;
 mod stl;
@@ -14,8 +15,9 @@ use std::path::Path;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use crate::Error;
-use rayproof_scene::Mesh;
+use super::reading::{Reading, Told};
+use crate::{Error, LoadedScene};
+use rayproof_scene::{Mesh, Sphere};
 
 /// The seed of every random test here, printed so that a failure names it.
 const SEED: u64 = 0x5ce9e;
@@ -27,14 +29,36 @@ fn config(cases: u32) -> ProptestConfig {
 
 /// Reads bytes as a mesh that would have come from `f.ENDING`.
 fn parse(ending: &str, bytes: impl AsRef<[u8]>) -> Result<Mesh, Error> {
+    told(ending, bytes).map(|(mesh, _)| mesh)
+}
+
+/// The same, and what is told of it.
+fn told(ending: &str, bytes: impl AsRef<[u8]>) -> Result<(Mesh, LoadedScene), Error> {
     let (file, bytes) = (format!("f.{ending}"), bytes.as_ref());
-    match ending {
-        "obj" => super::obj::parse(&file, bytes),
-        "ply" => super::ply::parse(&file, bytes),
-        "stl" => super::stl::parse(&file, bytes),
-        "gltf" | "glb" => super::gltf::parse(Path::new(&file), bytes),
+    let mut told = Told::default();
+    let reading = Reading::new(&file, &mut told);
+    let mesh = match ending {
+        "obj" => super::obj::parse(&file, bytes, reading),
+        "ply" => super::ply::parse(&file, bytes, reading),
+        "stl" => super::stl::parse(&file, bytes, reading),
+        "gltf" | "glb" => super::gltf::parse(Path::new(&file), bytes, reading),
         _ => unreachable!("{ending}"),
-    }
+    }?;
+    Ok((mesh, told.of(rayproof_scene::Scene::default(), None, vec![])))
+}
+
+fn csv(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
+    super::spheres::csv(file, bytes, Reading::new(file, &mut Told::default()))
+}
+
+fn npy(file: &str, bytes: &[u8]) -> Result<Vec<Sphere>, Error> {
+    super::spheres::npy(file, bytes, Reading::new(file, &mut Told::default()))
+}
+
+/// What is noted of a file that is read.
+#[track_caller]
+fn notes(ending: &str, bytes: impl AsRef<[u8]>) -> Vec<String> {
+    told(ending, bytes).unwrap().1.notes.iter().map(ToString::to_string).collect()
 }
 
 /// What is said about bad input.

@@ -4,7 +4,7 @@ use glam::Vec3;
 use tempfile::TempDir;
 
 use super::{message, write};
-use crate::{Error, LoadedScene, load};
+use crate::{Error, LoadedScene, Origin, load, load_at};
 use rayproof_scene::{Camera, Geometry, Sphere};
 
 /// A folder with a scene file and what it may name.
@@ -64,10 +64,7 @@ fn a_mesh_alone_is_geometry_0_and_nothing_is_an_empty_scene() {
     assert_eq!(loaded.sources, [folder.path().join("sub/tri.OBJ")]);
     let sources = vec![folder.path().join("scene.toml")];
     let loaded = load(&sources[0]).unwrap();
-    assert_eq!(
-        loaded,
-        LoadedScene { scene: rayproof_scene::Scene::new(vec![]).expect("a valid scene"), camera: None, sources }
-    );
+    assert_eq!(loaded, LoadedScene { sources, ..LoadedScene::default() });
 }
 
 #[test]
@@ -133,7 +130,7 @@ fn what_is_not_a_scene_file_is_named() {
         ),
         (
             "[[geometries]]\nmesh = \"a.ply\"",
-            format!("line 1: unknown field `geometries`, expected `geometry` or `camera`; {format}"),
+            format!("line 1: unknown field `geometries`, expected one of `geometry`, `camera`, `origin`; {format}"),
         ),
         (
             "[camera]\neye = [0, 0, 1]\nroll = 3",
@@ -267,4 +264,38 @@ fn bad_cameras_are_named() {
         let text = format!("[camera]\neye = {eye}\ntarget = {target}\nup = {up}\nfov_y = {fov_y}");
         assert_eq!(said(&text), format!("scene.toml: [camera]: {expected}"));
     }
+}
+
+#[test]
+fn numbers_are_rounded_once() {
+    // Just above the middle of two f32; f64 has the middle itself, which would go down.
+    let text = "[[geometry]]\nspheres = [[1.00000005960464477539062500001, 1_0.5, 16777217, 0.25]]\n";
+    let loaded = scene(text).unwrap();
+    let [Geometry::Spheres(spheres)] = loaded.scene.geometries() else { panic!("{text}") };
+    assert_eq!(spheres[0], sphere(1.0 + f32::EPSILON, 10.5, 16_777_216.0, 0.25));
+}
+
+#[test]
+fn an_origin_is_subtracted_before_anything_is_rounded() {
+    let wall = "v 500000 4649776.05 0\nv 500001 4649776.20 0\nv 500000 4649776.05 3\nf 1 2 3\n";
+    let folder = folder(
+        "origin = [500000, 4649776, 0]\n[[geometry]]\nmesh = \"wall.obj\"\n[[geometry]]\n\
+                         spheres = [[500000.25, 4649777.125, 8, 0.5]]\n\
+                         [camera]\neye = [500000.5, 4649770.1, 0]\ntarget = [500000, 4649776, 0]\nup = [0, 0, 1]\nfov_y = 40\n",
+    );
+    std::fs::write(folder.path().join("wall.obj"), wall).unwrap();
+    let loaded = load(&folder.path().join("scene.toml")).unwrap();
+    assert_eq!(loaded.origin, [500_000.0, 4_649_776.0, 0.0]);
+    let [Geometry::Mesh(mesh), Geometry::Spheres(spheres)] = loaded.scene.geometries() else { panic!("{loaded:?}") };
+    // 4649776.05 is no f64 either: what it is nearest to, less the origin, is rounded once.
+    #[expect(clippy::cast_possible_truncation, reason = "what is expected")]
+    let less = |y: f64| (y - 4_649_776.0) as f32;
+    assert_eq!(mesh.vertices[0].to_array(), [0.0, less(4_649_776.05), 0.0]);
+    assert_eq!(spheres[0], sphere(0.25, 1.125, 8.0, 0.5));
+    assert_eq!(loaded.camera.unwrap().eye, Vec3::new(0.5, less(4_649_770.1), 0.0));
+    assert!(loaded.rounding.largest_shift < 1e-8, "{:?}", loaded.rounding);
+    let here = load_at(&folder.path().join("wall.obj"), Origin::Auto).unwrap();
+    assert_eq!((here.origin, here.scene.bounds().unwrap()[1].x), ([500_000.0, 4_649_776.0, 2.0], 1.0));
+    let there = load_at(&folder.path().join("scene.toml"), Origin::At([0.0; 3])).unwrap();
+    assert_eq!((there.origin, there.rounding.largest_shift > 0.04), ([0.0; 3], true));
 }

@@ -1,11 +1,10 @@
 use proptest::prelude::*;
 
-use super::super::spheres::{csv, npy};
-use super::{config, finite, message, write};
+use super::{config, csv, finite, message, npy, write};
 use rayproof_scene::Sphere;
 
-fn sphere(row: [f32; 4]) -> Sphere {
-    super::super::spheres::sphere(row)
+fn sphere([x, y, z, radius]: [f32; 4]) -> Sphere {
+    Sphere { center: glam::Vec3::new(x, y, z), radius }
 }
 
 fn f4(rows: &[[f32; 4]]) -> Vec<u8> {

@@ -2,7 +2,7 @@ use std::io::Cursor;
 
 use proptest::prelude::*;
 
-use super::{assert_same, config, mesh, message, parse, unwelded, write};
+use super::{assert_same, config, mesh, message, notes, parse, unwelded, write};
 use rayproof_scene::Mesh;
 
 const FACET: &str =
@@ -24,7 +24,10 @@ fn bad_input_is_named() {
         format!("f.stl: line {line}: `{text}` is out of place; `{should}` should come here")
     };
     for (text, expected) in [
-        (format!("solid\n{FACET}"), "f.stl: line 8: the file ends inside a solid; give it up to `endsolid`".into()),
+        (
+            format!("solid\n{FACET}facet normal 0 0 0\n"),
+            "f.stl: the end of the file: the file ends inside facet 1 (counting from 0); give it up to `endsolid`".into(),
+        ),
         (format!("solid\n{FACET}endsolid\n{FACET}"), out_of_place(10, "facet normal nan nan nan", "solid")),
         (format!("solid\n{}", FACET.replacen("vertex 1 0 0\n", "", 1)), out_of_place(6, "endloop", "vertex")),
         (
@@ -56,8 +59,8 @@ fn bad_input_is_named() {
 fn bad_binaries_are_named() {
     let mesh = parse("stl", format!("solid\n{FACET}{FACET}{FACET}endsolid")).unwrap();
     let mut bytes = write::stl_binary(&mesh, "binary");
-    let truncated = "f.stl: the header: 3 facets are announced and 149 bytes follow; give a whole file: a binary one has 84 \
-                     bytes and 50 more a facet, an ASCII one begins with `solid`";
+    let truncated = "f.stl: the header: it is binary, announces 3 facets, and 149 bytes follow; give a whole file: 84 bytes, \
+                     and 50 more a facet";
     assert_eq!(message(parse("stl", &bytes[..bytes.len() - 1])), truncated);
     // The last vertex of the second facet, and one of the third.
     for at in [84 + 50 + 12 + 24, 84 + 100 + 12] {
@@ -66,6 +69,49 @@ fn bad_binaries_are_named() {
     let expected = "f.stl: facet 1 (counting from 0): the vertex (-inf, 1.0, 0.0) is not finite (the first of 2); give three \
                     finite numbers within the range of f32";
     assert_eq!(message(parse("stl", bytes)), expected);
+}
+
+#[test]
+fn every_dialect_is_the_same_mesh() {
+    let plain = format!("solid a b\n{FACET}endsolid a b\n");
+    let known = parse("stl", &plain).unwrap();
+    for text in [
+        plain.replace('\n', "\r"),
+        format!("\u{feff}{plain}\0"),
+        plain.replace("solid a b\nfacet", "solid a b\n# comment\ncolor 1 0 0\nfacet"),
+        plain.replace('\n', " "),
+        plain.replace("loop\n", "loop "),
+        plain.replace("solid a b\n", "solid facet b\n"),
+        plain.replace("endsolid a b\n", "endsolid\n\n"),
+    ] {
+        assert_eq!(parse("stl", &text).unwrap(), known, "{text:?}");
+        assert_eq!(notes("stl", &text), [""; 0], "{text:?}");
+    }
+    let two = format!("solid a\n{FACET}endsolid a\nsolid b\n{FACET}endsolid b\n");
+    assert_eq!(parse("stl", &two).unwrap(), parse("stl", two.replace('\n', " ")).unwrap());
+}
+
+#[test]
+fn what_is_left_out_is_told() {
+    let solid = format!("solid\n{FACET}");
+    let missing = "`endsolid` is missing";
+    for (text, expected) in [
+        (solid.clone(), format!("f.stl: the end of the file: {missing}")),
+        (format!("{solid}{solid}endsolid\n"), format!("f.stl: line 9: {missing}")),
+        (
+            format!("{solid}endsolid\nmade by hand\nand more\n"),
+            "f.stl: line 10: text after the end of a solid is left out (the first of 2)".into(),
+        ),
+    ] {
+        assert_eq!(notes("stl", &text), [expected], "{text:?}");
+    }
+    let mesh = parse("stl", format!("{solid}endsolid")).unwrap();
+    for name in ["binary", "solid "] {
+        let mut bytes = write::stl_binary(&mesh, name);
+        bytes.extend([0; 7]);
+        assert_eq!(parse("stl", &bytes).unwrap(), mesh);
+        assert_eq!(notes("stl", bytes), ["f.stl: the end of the file: 7 bytes after the last facet are left out"]);
+    }
 }
 
 /// The vertices of all triangles by stl_io.

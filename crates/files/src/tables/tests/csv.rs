@@ -73,7 +73,7 @@ fn malformed_lines_are_named_and_counted() {
     let text = format!("{HEADER}\r\n\n0,0,0,1,1,1,0,1\r\n0,0,0,1,1,x,0,1\n0,0,0,1,1,1,0\n0,0,0,1,1,1,0,1\n,,,,,,,\n");
     let first = bad(read(&text));
     assert_eq!((first.place.as_str(), first.more), ("line 5", 2));
-    assert_eq!(first.what, "dz is \"x\", not a number");
+    assert_eq!(first.what, "dz is `x`, not a number");
     let short = bad(read(&format!("{HEADER}1,2,3,4,5,6\n")));
     assert_eq!((short.what.as_str(), short.place.as_str()), ("there are 6 values", "line 2"));
     assert_eq!(short.expected, "give 8, as many as the header names");
@@ -101,7 +101,7 @@ fn bad_rays_are_named_by_line_and_counted() {
         rays.iter().map(|r| *r == INVALID_RAY).collect::<Vec<_>>(),
         [false, true, true, true, true, true, false]
     );
-    assert_eq!((reader.invalid(), reader.total(), reader.rounded_values()), (5, None, 0));
+    assert_eq!((reader.invalid(), reader.total(), reader.rounding().values), (5, None, 1));
 }
 
 #[test]
@@ -109,7 +109,7 @@ fn what_comes_first_in_the_file_is_reported() {
     let ray_first = format!("{HEADER}0,0,0,0,0,0,0,1\n0,0,0,1,1,x,0,1\n");
     assert_eq!(bad(read(&ray_first)).place, "line 2");
     let line_first = format!("{HEADER}0,0,0,1,1,x,0,1\n0,0,0,0,0,0,0,1\n");
-    assert_eq!(bad(read(&line_first)).what, "dz is \"x\", not a number");
+    assert_eq!(bad(read(&line_first)).what, "dz is `x`, not a number");
 }
 
 #[test]

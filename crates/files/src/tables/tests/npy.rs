@@ -137,7 +137,7 @@ fn float64_is_rounded_to_the_nearest_and_counted() {
         t_max: f32::INFINITY,
     };
     assert_eq!(bits(&rays[0]), bits(&expected));
-    assert_eq!(reader.rounded_values(), 3);
+    assert_eq!(reader.rounding().values, 3);
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn a_float64_nan_is_no_rounded_value() {
     let input = Box::new(std::io::Cursor::new(npy_bytes(&dictionary("'<f8'", "(1, 6)"), data)));
     let mut reader = RayReader::from_pipe(Path::new("-"), input, None, InvalidRays::Miss).unwrap();
     assert_eq!(drain(&mut reader, 10).unwrap(), [INVALID_RAY]);
-    assert_eq!((reader.invalid(), reader.rounded_values()), (1, 1));
+    assert_eq!((reader.invalid(), reader.rounding().values), (1, 1));
 }
 
 #[test]

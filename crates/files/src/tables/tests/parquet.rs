@@ -49,7 +49,7 @@ fn columns_of_both_types_are_read_across_row_groups() {
         rays.iter().map(|r| r.origin).collect::<Vec<_>>(),
         [Vec3::new(0.1, 1.0, 1.0), Vec3::new(0.5, 2.0, 2.0), Vec3::new(0.0, 3.0, 3.0)]
     );
-    assert_eq!((reader.total(), reader.rounded_values(), rays[2].t_max), (Some(3), 2, f32::INFINITY));
+    assert_eq!((reader.total(), reader.rounding().values, rays[2].t_max), (Some(3), 2, f32::INFINITY));
 }
 
 #[test]
