@@ -22,10 +22,15 @@ fn load_node(index: u32) -> Node {
     );
 }
 
+// What has been found, in box units: never below the key of the walk's last entry, or the walk would not end there.
+fn box_reach(found: Found, n: i32) -> f32 {
+    return clamp(scale_by_power(found_reach(found), n), -FARTHEST, FARTHEST);
+}
+
 fn traverse(unit: UnitDirection, ray: PreparedRay) -> Found {
     let boxes = box_ray(ray.origin, unit.direction, scale_by_power(ray.t_min, ray.box_exponent));
     var found = found_start(ray);
-    var s_max = min(scale_by_power(found_reach(found), ray.box_exponent), FARTHEST);
+    var s_max = box_reach(found, ray.box_exponent);
 
     var keys: array<f32, STACK_SIZE>;
     var words: array<u32, STACK_SIZE>;
@@ -69,7 +74,7 @@ fn traverse(unit: UnitDirection, ray: PreparedRay) -> Found {
         if found_finished(found) {
             break;
         }
-        s_max = min(scale_by_power(found_reach(found), ray.box_exponent), FARTHEST);
+        s_max = box_reach(found, ray.box_exponent);
         loop {
             top -= 1u;
             if keys[top] <= s_max {

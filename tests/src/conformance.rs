@@ -14,7 +14,7 @@ const SEED: u64 = 20_261_123;
 const RAYS_PER_FAMILY: usize = 20_000;
 
 /// The precisions that promise the CPU's bits on the device: all where it is IEEE, else `exact`.
-fn precisions() -> impl Iterator<Item = Precision> {
+pub(crate) fn precisions() -> impl Iterator<Item = Precision> {
     let is_ieee = gpu().fingerprint().is_ieee();
     Precision::ALL.into_iter().filter(move |precision| is_ieee || *precision == Precision::Exact)
 }
@@ -26,14 +26,14 @@ fn one_precision() -> Precision {
 
 /// Rays compared, hits among them, and rays that the device left to exact arithmetic.
 #[derive(Default)]
-struct Tally {
-    rays: usize,
-    hits: usize,
+pub(crate) struct Tally {
+    pub(crate) rays: usize,
+    pub(crate) hits: usize,
     left: usize,
 }
 
 /// A scene in both engines.
-struct Pair {
+pub(crate) struct Pair {
     /// None where the device says that the precision does not run there with the scene.
     kernel: Option<Kernel>,
     twin: Twin,
@@ -42,7 +42,7 @@ struct Pair {
 }
 
 impl Pair {
-    fn new(gpu: std::sync::Arc<Gpu>, scene: &Scene, precision: Precision) -> Self {
+    pub(crate) fn new(gpu: std::sync::Arc<Gpu>, scene: &Scene, precision: Precision) -> Self {
         let bvh = Bvh::new(scene, Scaling::of(precision)).expect("small");
         let is_ieee = gpu.fingerprint().is_ieee();
         let refusal = gpu.refuses(precision, &bvh).expect("asked");
@@ -52,7 +52,7 @@ impl Pair {
 
     /// Compares all queries of both engines; panics where a bit differs. What the device leaves open is the twin's to answer, and
     /// its first stage leaves open what the twin's does; but on a device that is not IEEE its bounds are wider.
-    fn compare(&self, what: &str, rays: &[Ray], tally: &mut Tally) {
+    pub(crate) fn compare(&self, what: &str, rays: &[Ray], tally: &mut Tally) {
         let Some(kernel) = &self.kernel else { return };
         let mut device = vec![FlatHit::MISS; rays.len()];
         let mut twin = device.clone();

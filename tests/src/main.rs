@@ -6,6 +6,7 @@ mod device;
 mod exact;
 mod front_door;
 mod house;
+mod ranges;
 mod regression;
 mod sample;
 mod scenes;

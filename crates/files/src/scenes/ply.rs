@@ -1,14 +1,14 @@
 //! PLY, ASCII and both binaries: vertices, faces and triangle strips.
 
 use super::faces::Faces;
-use super::ply_header::{Element, Header, Type};
-use super::ply_payload::Payload;
+use super::ply_header::{Element, PlyHeader, Type};
+use super::ply_payload::{Payload, Whole};
 use super::reading::{Reading, Vertices};
 use crate::Error;
 use rayproof_scene::Mesh;
 
 pub(super) fn parse(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Result<Mesh, Error> {
-    let (header, rest) = Header::read(file, bytes)?;
+    let (header, rest) = PlyHeader::read(file, bytes)?;
     let total = header.element("vertex").map_or(0, |vertex| vertex.count);
     let mut payload = Payload::new(rest, header.encoding);
     let (mut vertices, mut faces) = (Vertices::default(), Faces::default());
@@ -42,9 +42,6 @@ pub(super) fn parse(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Resul
 fn place(element: &str, i: usize) -> String {
     format!("{element} {i} (counting from 0)")
 }
-
-/// Reads all elements, or as many as there are: `Err` has how many.
-type Whole = Result<(), usize>;
 
 fn read_vertices(
     file: &str,

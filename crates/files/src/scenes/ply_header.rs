@@ -8,7 +8,7 @@ use crate::Error;
 use crate::quote::quoted;
 
 #[derive(Debug)]
-pub(super) struct Header {
+pub(super) struct PlyHeader {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
 }
@@ -102,7 +102,7 @@ impl Element {
     }
 }
 
-impl Header {
+impl PlyHeader {
     /// The header, and what follows it.
     pub(super) fn read<'a>(file: &str, bytes: &'a [u8]) -> Result<(Self, &'a [u8]), Error> {
         let mut lines = HeaderLines::new(without_mark(bytes));

@@ -15,7 +15,7 @@ pub(super) enum Payload<'a> {
 }
 
 /// Whether all elements were there; how many, where the file ends before.
-type Whole = Result<(), usize>;
+pub(super) type Whole = Result<(), usize>;
 
 impl<'a> Payload<'a> {
     pub(super) const fn new(rest: &'a [u8], encoding: Encoding) -> Self {

@@ -47,7 +47,7 @@ pub(crate) fn traverse<R: PreparedRay, F: Found>(
     let n = ray.box_exponent();
     let boxes = box_ray(params, ray.origin(), unit.direction, scale_by_power(ray.t_min(), n));
     let mut found = start;
-    let mut s_max = scale_by_power(found.reach(), n).min(FARTHEST);
+    let mut s_max = box_reach(&found, n);
 
     stack[0] = (-FARTHEST, DONE);
     let mut top = 1;
@@ -63,10 +63,16 @@ pub(crate) fn traverse<R: PreparedRay, F: Found>(
         if found.finished() {
             break;
         }
-        s_max = scale_by_power(found.reach(), n).min(FARTHEST);
+        s_max = box_reach(&found, n);
         current = pop(stack, &mut top, s_max);
     }
     found
+}
+
+/// What has been found, in box units: never below the key of the walk's last entry, or the walk would not end there.
+#[inline(always)]
+fn box_reach<F: Found>(found: &F, n: i32) -> f32 {
+    scale_by_power(found.reach(), n).clamp(-FARTHEST, FARTHEST)
 }
 
 /// The nearest child that is met, the others kept; where none is, the next entry kept.

@@ -1,0 +1,78 @@
+//! Ranges of every sign, beyond what boxes are told in, and directions of every length: whatever the answer is, each precision
+//! gives one, the kernel's is the twin's, and that of `exact` is right.
+
+use glam::Vec3;
+use rayproof::Precision;
+use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene, Sphere};
+use rayproof_cpu::Engine as Cpu;
+use rayproof_oracle::{ExactHit, Oracle};
+use rayproof_tree::{Bvh, Scaling};
+
+use crate::conformance::{Pair, Tally, precisions};
+use crate::device::gpu;
+
+const ENDS: [f32; 15] =
+    [f32::NEG_INFINITY, -3e38, -1e20, -1e5, -4.0, -1e-30, 0.0, 1e-45, 2.0, 4.0, 6.5, 1e5, 1e20, 3e38, f32::INFINITY];
+const LENGTHS: [f32; 7] = [1e-45, 1e-30, 1e-10, 1.0, 1e10, 1e30, 3e38];
+
+/// From in, beside and beyond the spheres of a scene as large as `size`, towards and away.
+fn rays(size: f32) -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for length in LENGTHS {
+        for (start, way) in [(5.0, -1.0), (5.0, 1.0), (0.25, 1.0), (-5.0, 1.0)] {
+            for (i, &t_min) in ENDS.iter().enumerate() {
+                let origin = Vec3::new(0.1, 0.2, start) * size;
+                let direction = Vec3::new(0.0, 0.0, way) * length;
+                rays.extend(ENDS[i..].iter().map(|&t_max| Ray { origin, direction, t_min, t_max }));
+            }
+        }
+    }
+    rays
+}
+
+fn scenes() -> Vec<(Scene, Vec<Ray>)> {
+    let unit = [Sphere::new([0.0; 3], 1.0), Sphere::new([0.0, 0.0, -9.0], 2.0), Sphere::new([40.0, 0.0, 0.0], 1.0)];
+    [1.0_f32, 1e-20, 6e36]
+        .into_iter()
+        .map(|size| {
+            let spheres = unit.map(|s| Sphere { center: s.center * size, radius: s.radius * size }).to_vec();
+            let corners =
+                [[-3.0, -3.0, 2.0], [5.0, -3.0, 2.5], [-3.0, 5.0, 1.5], [-3.0, -3.0, -4.0], [5.0, -3.0, -4.0]];
+            let corners = corners.map(|corner| corner.map(|x: f32| x * size)).to_vec();
+            let mesh = Mesh::new(corners, vec![[0, 1, 2], [3, 4, 2], [4, 1, 2]]);
+            let scene = Scene::new(vec![Geometry::Spheres(spheres), Geometry::Mesh(mesh)]).expect("a valid scene");
+            (scene, rays(size))
+        })
+        .collect()
+}
+
+#[test]
+fn every_range_has_an_answer_in_every_precision() {
+    for (scene, rays) in scenes() {
+        let oracle = Oracle::new(&scene);
+        let truth = oracle.batch(&rays, |oracle: &Oracle, ray: &Ray| {
+            (oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit), oracle.count(ray))
+        });
+        let exact = Cpu::new(Bvh::new(&scene, Scaling::of(Precision::Exact)).expect("small"), Precision::Exact);
+        let (mut hits, mut counts) = (vec![FlatHit::MISS; rays.len()], vec![9; rays.len()]);
+        exact.closest(&rays, &mut hits);
+        exact.count(&rays, &mut counts);
+        for (i, ray) in rays.iter().enumerate() {
+            assert!(hits[i].same_bits(&truth[i].0), "{ray:?}: {:?}, not {:?}", hits[i], truth[i].0);
+            assert_eq!(counts[i], truth[i].1, "{ray:?}");
+        }
+        for precision in Precision::ALL {
+            // No panic, whether or not a device runs it.
+            let cpu = Cpu::new(Bvh::new(&scene, Scaling::of(precision)).expect("small"), precision);
+            cpu.closest(&rays, &mut hits);
+            for (ray, hit) in rays.iter().zip(&hits).filter(|(_, hit)| hit.is_hit()) {
+                assert!(hit.t >= ray.t_min && hit.t <= ray.t_max, "{precision:?}, {ray:?}: {hit:?}");
+            }
+        }
+        let mut tally = Tally::default();
+        for precision in precisions() {
+            Pair::new(gpu(), &scene, precision).compare(&format!("ranges, {precision:?}"), &rays, &mut tally);
+        }
+        println!("{} rays, {} of them hit, 0 wrong, 0 differ", tally.rays, tally.hits);
+    }
+}
