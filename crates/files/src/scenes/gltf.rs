@@ -1,97 +1,309 @@
 //! glTF 2.0 and GLB: every triangle of the default scene, in world space, as one mesh.
 //!
-//! Nodes are walked from the scene's first, a parent before its children. Materials, skins, morph targets and images
-//! are not read. Strips and fans become triangles with the vertex order of the glTF specification, section 3.7.2.1.
+//! Nodes are walked from the scene's first, a parent before its children. What moves a vertex is honoured: skins in the pose that
+//! the nodes have, the default weights of morph targets, quantised positions, copies by `EXT_mesh_gpu_instancing`, and
+//! `KHR_node_visibility`. Materials, animation, cameras and images are not read. Strips and fans become triangles with the vertex
+//! order of the glTF specification, section 3.7.2.1.
 
 use std::path::Path;
 
 use glam::{DMat4, DQuat, DVec3};
-use gltf::mesh::Mode;
-use gltf::{Document, Node, Primitive, Semantic, scene::Transform};
 
-use super::gltf_data::{Data, document};
+use super::gltf_data::Data;
+use super::gltf_json::{self, DRACO, Node, PrimitiveJson, Root};
 use super::reading::{Reading, Vertices};
 use crate::Error;
 use rayproof_scene::Mesh;
 
 pub(super) fn parse(path: &Path, bytes: &[u8], mut reading: Reading<'_>) -> Result<Mesh, Error> {
     let file = path.display().to_string();
-    let (document, blob) = document(&file, bytes)?;
-    let data = Data::load(path, &file, &document, blob)?;
+    let (root, binary) = gltf_json::read(&file, bytes)?;
+    let data = Data::new(path, &file, &root, binary);
+    let pose = Pose::new(&data, &root, &mut reading)?;
     let mut mesh = Mesh::default();
-    for (node, world) in nodes(&file, &document)? {
-        for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
-            let place = format!("node {}, primitive {}", node.index(), primitive.index());
-            add(&place, &data, &primitive, world, &mut mesh, &mut reading)?;
+    for &(node, world) in &pose.shown {
+        let Some(index) = root.nodes[node].mesh else { continue };
+        let bodies = pose.bodies(&data, node, world)?;
+        for (i, primitive) in data.get(&root.meshes, "mesh", index)?.primitives.iter().enumerate() {
+            let place = format!("node {node}, primitive {i}");
+            let Some(corners) = corners(&data, &place, primitive)? else { continue };
+            let weights = root.nodes[node].weights.as_ref().unwrap_or(&root.meshes[index].weights);
+            let shape = Shape::new(&data, &place, primitive, weights)?;
+            for body in &bodies {
+                add(&data, &place, &shape.placed(&data, &place, primitive, body)?, &corners, &mut mesh, &mut reading)?;
+            }
         }
     }
     reading.end()?;
     Ok(mesh)
 }
 
-/// The nodes of the default scene and their world transforms.
-fn nodes<'a>(file: &str, document: &'a Document) -> Result<Vec<(Node<'a>, DMat4)>, Error> {
-    let scene = document.default_scene().or_else(|| document.scenes().next());
-    let scene =
-        scene.ok_or_else(|| Error::bad(file, "scenes", "there is no scene", "give a scene with the nodes to load"))?;
-    let mut seen = vec![false; document.nodes().len()];
-    let mut walk = Vec::new();
-    let mut next: Vec<_> = scene.nodes().map(|node| (node, DMat4::IDENTITY)).collect();
-    next.reverse();
-    while let Some((node, parent)) = next.pop() {
-        if std::mem::replace(&mut seen[node.index()], true) {
-            let place = format!("node {}", node.index());
-            return Err(Error::bad(file, place, "it is reached twice", "give each node one parent at most"));
-        }
-        let world = parent * local(&node);
-        let first = next.len();
-        next.extend(node.children().map(|child| (child, world)));
-        next[first..].reverse();
-        walk.push((node, world));
-    }
-    Ok(walk)
+/// Where the nodes are.
+struct Pose<'a> {
+    root: &'a Root,
+    /// Of every node that the scene reaches.
+    worlds: Vec<Option<DMat4>>,
+    /// Those that are shown, in the order of the walk.
+    shown: Vec<(usize, DMat4)>,
 }
 
-fn local(node: &Node<'_>) -> DMat4 {
-    match node.transform() {
-        Transform::Matrix { matrix } => DMat4::from_cols_array_2d(&matrix.map(|column| column.map(f64::from))),
-        Transform::Decomposed { translation, rotation, scale } => {
-            // A unit quaternion, but only to the precision of an f32.
-            let rotation = DQuat::from_array(rotation.map(f64::from)).normalize();
-            let [scale, translation] = [scale, translation].map(|v| DVec3::from(v.map(f64::from)));
-            DMat4::from_scale_rotation_translation(scale, rotation, translation)
+/// What places a mesh.
+enum Body {
+    /// A transform of the whole.
+    Rigid(DMat4),
+    /// One of each joint.
+    Skinned(Vec<DMat4>),
+}
+
+impl<'a> Pose<'a> {
+    fn new(data: &Data<'_>, root: &'a Root, reading: &mut Reading<'_>) -> Result<Self, Error> {
+        let starts = match (root.scenes.get(root.scene.unwrap_or(0)), root.scene) {
+            (Some(scene), _) => scene.nodes.clone(),
+            (None, Some(scene)) => {
+                let what = format!("scene {scene} is out of range");
+                return Err(data.bad("scene", what, "give the number of a scene"));
+            }
+            // Without a scene nothing says what is to be seen: all there is.
+            (None, None) => {
+                if !root.nodes.is_empty() {
+                    reading.note(format_args!("scenes"), "there is no scene: every node is taken");
+                }
+                let mut is_child = vec![false; root.nodes.len()];
+                let children = root.nodes.iter().flat_map(|node| &node.children);
+                children.for_each(|&child| is_child.get_mut(child).into_iter().for_each(|is| *is = true));
+                (0..root.nodes.len()).filter(|&node| !is_child[node]).collect()
+            }
+        };
+        let (mut worlds, mut shown) = (vec![None; root.nodes.len()], Vec::new());
+        let mut next: Vec<_> = starts.into_iter().map(|node| (node, DMat4::IDENTITY, true)).collect();
+        next.reverse();
+        while let Some((index, parent, visible)) = next.pop() {
+            let node = data.get(&root.nodes, "node", index)?;
+            if worlds[index].is_some() {
+                let place = format!("node {index}");
+                return Err(data.bad(place, "it is reached twice", "give each node one parent at most"));
+            }
+            let world = parent * local(node);
+            let hidden =
+                node.extensions.get("KHR_node_visibility").and_then(|e| e.get("visible")?.as_bool()) == Some(false);
+            let visible = visible && !hidden;
+            let first = next.len();
+            next.extend(node.children.iter().map(|&child| (child, world, visible)));
+            next[first..].reverse();
+            worlds[index] = Some(world);
+            shown.extend(visible.then_some((index, world)));
         }
+        Ok(Self { root, worlds, shown })
+    }
+
+    /// What places the mesh of a node: its skin, whose joints alone say where it is; else its copies; else itself.
+    fn bodies(&self, data: &Data<'_>, index: usize, world: DMat4) -> Result<Vec<Body>, Error> {
+        let node = &self.root.nodes[index];
+        let copies = node.extensions.get("EXT_mesh_gpu_instancing");
+        match (node.skin, copies) {
+            (Some(_), Some(_)) => {
+                let what = "it has a skin and copies";
+                Err(data.bad(
+                    format!("node {index}"),
+                    what,
+                    "give one or the other: no specification says what both mean",
+                ))
+            }
+            (Some(skin), None) => Ok(vec![Body::Skinned(self.joints(data, skin)?)]),
+            (None, Some(copies)) => {
+                let accessor = |name: &str| copies.get("attributes")?.get(name)?.as_u64()?.try_into().ok();
+                copies_of(data, index, ["TRANSLATION", "ROTATION", "SCALE"].map(accessor))
+                    .map(|copies| copies.into_iter().map(|copy| Body::Rigid(world * copy)).collect())
+            }
+            (None, None) => Ok(vec![Body::Rigid(world)]),
+        }
+    }
+
+    /// The matrices of a skin's joints: from the pose in which it was bound to where the joint is.
+    fn joints(&self, data: &Data<'_>, skin: usize) -> Result<Vec<DMat4>, Error> {
+        let place = format!("skin {skin}");
+        let skin = data.get(&self.root.skins, "skin", skin)?;
+        let inverse: Vec<DMat4> = match skin.inverse_bind_matrices {
+            Some(accessor) => data.vectors::<16>(accessor, "MAT4")?.iter().map(DMat4::from_cols_array).collect(),
+            None => vec![DMat4::IDENTITY; skin.joints.len()],
+        };
+        if inverse.len() < skin.joints.len() {
+            let what = format!("it has {} joints and {} inverse bind matrices", skin.joints.len(), inverse.len());
+            return Err(data.bad(place, what, "give one a joint"));
+        }
+        let joint = |(&joint, inverse): (&usize, &DMat4)| {
+            let world = data.get(&self.worlds, "joint", joint)?.ok_or_else(|| {
+                data.bad(&place, format!("its joint, node {joint}, is not in the scene"), "put it into the scene")
+            })?;
+            Ok(world * *inverse)
+        };
+        skin.joints.iter().zip(&inverse).map(joint).collect()
     }
 }
 
-/// Appends the triangles of a primitive; points and lines have none.
-fn add(
-    place: &str,
+fn local(node: &Node) -> DMat4 {
+    match node.matrix {
+        Some(matrix) => DMat4::from_cols_array(&matrix),
+        None => transform(
+            node.translation.unwrap_or_default(),
+            node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]),
+            node.scale.unwrap_or([1.0; 3]),
+        ),
+    }
+}
+
+fn transform(translation: [f64; 3], rotation: [f64; 4], scale: [f64; 3]) -> DMat4 {
+    // A unit quaternion, but only to the precision of an f32.
+    let rotation = DQuat::from_array(rotation).normalize();
+    DMat4::from_scale_rotation_translation(scale.into(), rotation, translation.into())
+}
+
+/// The transforms of copies; each attribute may be left out, and those that are there have as many values.
+fn copies_of(
     data: &Data<'_>,
-    primitive: &Primitive<'_>,
-    world: DMat4,
+    node: usize,
+    [move_by, turn_by, scale_by]: [Option<usize>; 3],
+) -> Result<Vec<DMat4>, Error> {
+    let moves = move_by.map(|accessor| data.vectors::<3>(accessor, "VEC3")).transpose()?;
+    let turns = turn_by.map(|accessor| data.vectors::<4>(accessor, "VEC4")).transpose()?;
+    let scales = scale_by.map(|accessor| data.vectors::<3>(accessor, "VEC3")).transpose()?;
+    let counts = [moves.as_ref().map(Vec::len), turns.as_ref().map(Vec::len), scales.as_ref().map(Vec::len)];
+    let count = counts.into_iter().flatten().max().unwrap_or(0);
+    if counts.into_iter().flatten().any(|n| n != count) {
+        let what = "its copies have not as many of each attribute";
+        return Err(data.bad(format!("node {node}"), what, "give as many translations, rotations and scales"));
+    }
+    let at = |i: usize| {
+        transform(
+            moves.as_ref().map_or([0.0; 3], |moves| moves[i]),
+            turns.as_ref().map_or([0.0, 0.0, 0.0, 1.0], |turns| turns[i]),
+            scales.as_ref().map_or([1.0; 3], |scales| scales[i]),
+        )
+    };
+    Ok((0..count).map(at).collect())
+}
+
+/// The vertices of a primitive, morphed, before anything places them.
+struct Shape(Vec<DVec3>);
+
+impl Shape {
+    fn new(data: &Data<'_>, place: &str, primitive: &PrimitiveJson, weights: &[f64]) -> Result<Self, Error> {
+        let positions = primitive.attributes.get("POSITION");
+        let &positions =
+            positions.ok_or_else(|| data.bad(place, "it has no POSITION", "give its vertices a POSITION"))?;
+        if primitive.extensions.contains_key(DRACO) && !data.has_view(positions) {
+            return Err(data.bad(place, format!("{DRACO} is not read"), "write it without Draco compression"));
+        }
+        let mut vertices: Vec<DVec3> = data.vectors::<3>(positions, "VEC3")?.into_iter().map(DVec3::from).collect();
+        let targets = primitive.targets.iter().zip(weights).filter(|&(_, &weight)| weight != 0.0);
+        for (&target, &weight) in targets.filter_map(|(target, weight)| Some((target.get("POSITION")?, weight))) {
+            let moves = data.vectors::<3>(target, "VEC3")?;
+            if moves.len() != vertices.len() {
+                let what = format!("it has {} vertices and a morph target {}", vertices.len(), moves.len());
+                return Err(data.bad(place, what, "give as many of each"));
+            }
+            vertices.iter_mut().zip(moves).for_each(|(v, by)| *v += weight * DVec3::from(by));
+        }
+        Ok(Self(vertices))
+    }
+
+    /// In world space.
+    fn placed(
+        &self,
+        data: &Data<'_>,
+        place: &str,
+        primitive: &PrimitiveJson,
+        body: &Body,
+    ) -> Result<Vec<DVec3>, Error> {
+        let joints = match body {
+            Body::Rigid(world) => return Ok(self.0.iter().map(|&v| world.transform_point3(v)).collect()),
+            Body::Skinned(joints) => joints,
+        };
+        let mut placed = vec![DVec3::ZERO; self.0.len()];
+        for set in 0.. {
+            let name = |of: &str| primitive.attributes.get(&format!("{of}_{set}"));
+            let (Some(&numbers), Some(&weights)) = (name("JOINTS"), name("WEIGHTS")) else {
+                if set == 0 {
+                    return Err(data.bad(place, "its node has a skin, and it no JOINTS_0 and WEIGHTS_0", "give both"));
+                }
+                break;
+            };
+            let (numbers, weights) = (data.vectors::<4>(numbers, "VEC4")?, data.vectors::<4>(weights, "VEC4")?);
+            if numbers.len() != self.0.len() || weights.len() != self.0.len() {
+                let what = format!(
+                    "it has {} vertices, joints of {}, weights of {}",
+                    self.0.len(),
+                    numbers.len(),
+                    weights.len()
+                );
+                return Err(data.bad(place, what, "give as many of each"));
+            }
+            for ((v, placed), (numbers, weights)) in self.0.iter().zip(&mut placed).zip(numbers.iter().zip(&weights)) {
+                for (&number, &weight) in numbers.iter().zip(weights).filter(|&(_, &weight)| weight != 0.0) {
+                    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an unsigned integer")]
+                    let joint = data.get(joints, place, number as usize)?;
+                    *placed += weight * joint.transform_point3(*v);
+                }
+            }
+        }
+        Ok(placed)
+    }
+}
+
+/// The corners of a primitive's triangles by their place among its vertices; none for points and lines.
+fn corners(data: &Data<'_>, place: &str, primitive: &PrimitiveJson) -> Result<Option<Corners>, Error> {
+    let mode = primitive.mode.unwrap_or(4);
+    match mode {
+        0..=3 => return Ok(None),
+        4..=6 => {}
+        _ => return Err(data.bad(place, format!("its mode is {mode}"), "give a mode from 0 to 6")),
+    }
+    let indices = primitive.indices.map(|accessor| data.indices(accessor)).transpose()?;
+    Ok(Some(Corners { mode, indices }))
+}
+
+struct Corners {
+    /// 4: triangles, 5: a strip, 6: a fan.
+    mode: u32,
+    /// None: the vertices as they stand.
+    indices: Option<Vec<u32>>,
+}
+
+impl Corners {
+    /// The triangles, by places among the corners.
+    fn triangles(&self, count: usize) -> impl Iterator<Item = [usize; 3]> {
+        let mode = self.mode;
+        let triangles = if mode == 4 { count / 3 } else { count.saturating_sub(2) };
+        (0..triangles).map(move |i| match mode {
+            4 => [3 * i, 3 * i + 1, 3 * i + 2],
+            5 => [i, i + 1 + i % 2, i + 2 - i % 2],
+            _ => [i + 1, i + 2, 0],
+        })
+    }
+}
+
+/// Appends the triangles of a primitive.
+fn add(
+    data: &Data<'_>,
+    place: &str,
+    placed: &[DVec3],
+    corners: &Corners,
     mesh: &mut Mesh,
     reading: &mut Reading<'_>,
 ) -> Result<(), Error> {
-    let mode = primitive.mode();
-    if !matches!(mode, Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan) {
-        return Ok(());
-    }
-    let positions = primitive.get(&Semantic::Positions);
-    let positions = positions.ok_or_else(|| data.bad(place, "it has no POSITION", "give its vertices a POSITION"))?;
-    let mut vertices = Vertices::default();
-    for (i, p) in data.positions(&positions)?.enumerate() {
-        let v = world.transform_point3(DVec3::from(p.map(f64::from)));
-        vertices.push(v.to_array().map(Into::into), i, reading);
-    }
-    let count = vertices.len();
-    let (Ok(base), Ok(end)) = (u32::try_from(mesh.vertices.len()), u32::try_from(mesh.vertices.len() + count)) else {
+    let (Ok(base), Ok(end)) = (u32::try_from(mesh.vertices.len()), u32::try_from(mesh.vertices.len() + placed.len()))
+    else {
         return Err(data.bad(place, "there are more than 4294967295 vertices", "split the file"));
     };
-    let indices: Vec<u32> = match primitive.indices() {
-        Some(accessor) => data.indices(&accessor)?.collect(),
-        None => (0..end - base).collect(),
+    let all: Vec<u32>;
+    let indices = match &corners.indices {
+        Some(indices) => indices,
+        None => {
+            all = (0..end - base).collect();
+            &all
+        }
     };
+    let count = placed.len();
     let mut out_of_range = indices.iter().enumerate().filter(|&(_, &index)| index as usize >= count).peekable();
     if out_of_range.peek().is_some() {
         let expected = format!("it has {count} vertices: give indices from 0 and below {count}");
@@ -101,18 +313,15 @@ fn add(
         }
         return Ok(());
     }
-    let mut triangles = Vec::new();
-    let mut push = |corners: [usize; 3]| triangles.push(corners.map(|i| indices[i]));
-    let count = indices.len();
-    match mode {
-        Mode::Triangles if !count.is_multiple_of(3) => {
-            let what = format!("{count} vertices are not whole triangles");
-            return Err(data.bad(place, what, "give three a triangle"));
-        }
-        Mode::Triangles => (0..count / 3).for_each(|i| push([3 * i, 3 * i + 1, 3 * i + 2])),
-        Mode::TriangleStrip => (0..count.saturating_sub(2)).for_each(|i| push([i, i + 1 + i % 2, i + 2 - i % 2])),
-        _ => (0..count.saturating_sub(2)).for_each(|i| push([i + 1, i + 2, 0])),
+    if corners.mode == 4 && !indices.len().is_multiple_of(3) {
+        let what = format!("{} vertices are not whole triangles", indices.len());
+        return Err(data.bad(place, what, "give three a triangle"));
     }
+    let mut vertices = Vertices::with_capacity(count);
+    for (i, v) in placed.iter().enumerate() {
+        vertices.push(v.to_array().map(Into::into), i, reading);
+    }
+    let triangles = corners.triangles(indices.len()).map(|corners| corners.map(|i| indices[i])).collect();
     let vertex = |i| format!("{place}, vertex {i} in world space (counting from 0)");
     let part = vertices.mesh(triangles, vertex, reading);
     mesh.vertices.extend(part.vertices);

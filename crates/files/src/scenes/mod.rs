@@ -3,6 +3,7 @@
 mod faces;
 mod gltf;
 mod gltf_data;
+mod gltf_json;
 mod lines;
 mod obj;
 mod ply;

@@ -59,8 +59,8 @@ impl Polygons {
         const WAYS: [f64; 2] = [1.0, -1.0];
         let Self { points, left, ears } = self;
         let fans = WAYS.into_iter().any(|way| match fan_ears(points, way, ears) {
-            Some(Shape::Convex) => true,
-            Some(Shape::Other) => !overlap(points, way, ears),
+            Some(Fan::Convex) => true,
+            Some(Fan::Other) => !overlap(points, way, ears),
             None => false,
         });
         if fans || WAYS.into_iter().any(|way| clip(points, way, left, ears) && !overlap(points, way, ears)) {
@@ -71,7 +71,8 @@ impl Polygons {
     }
 }
 
-enum Shape {
+/// What kind of polygon a fan covers, as far as it turns one way.
+enum Fan {
     Convex,
     Other,
 }
@@ -105,7 +106,7 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 }
 
 /// The fan of a polygon, if all its triangles turn the `way` (1: left, -1: right), and whether all corners do, too.
-fn fan_ears(points: &[DVec2], way: f64, ears: &mut Vec<[usize; 3]>) -> Option<Shape> {
+fn fan_ears(points: &[DVec2], way: f64, ears: &mut Vec<[usize; 3]>) -> Option<Fan> {
     let n = points.len();
     let turns = |[a, b, c]: [usize; 3]| turn(points[a], points[b], points[c]) * way >= 0.0;
     ears.clear();
@@ -121,7 +122,7 @@ fn fan_ears(points: &[DVec2], way: f64, ears: &mut Vec<[usize; 3]>) -> Option<Sh
     let ways: Vec<bool> = (0..n).filter_map(ahead).collect();
     let changes = (0..ways.len()).filter(|&i| ways[i] != ways[(i + 1) % ways.len()]).count();
     let convex = changes <= 2 && (0..n).map(|i| [i, (i + 1) % n, (i + 2) % n]).all(turns);
-    Some(if convex { Shape::Convex } else { Shape::Other })
+    Some(if convex { Fan::Convex } else { Fan::Other })
 }
 
 /// Clips ears that turn the `way` (1: left, -1: right) until a triangle is left; false where there is none to clip.

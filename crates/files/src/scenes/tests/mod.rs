@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
 mod gltf;
+mod gltf_pose;
 mod hostile;
 mod obj;
 mod ply;
