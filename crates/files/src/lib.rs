@@ -7,6 +7,7 @@
 
 mod decimal;
 mod error;
+mod gzip;
 mod note;
 mod quote;
 pub mod replay;

@@ -24,6 +24,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 
 use self::reading::{Reading, Told};
+use crate::gzip::{unpack, unpacked_name};
 use crate::{Error, Note, Rounding};
 use rayproof_scene::{Camera, Geometry, Mesh, Scene};
 
@@ -58,7 +59,7 @@ pub struct LoadedScene {
 }
 
 /// Reads a scene: a mesh (`.obj`, `.ply`, `.stl`, `.gltf`, `.glb`), which becomes geometry 0, or a scene file
-/// (`.toml`). The letter case of the ending does not matter.
+/// (`.toml`). The letter case of the ending does not matter, and `.gz` may follow it.
 ///
 /// Triangles keep the file's order, and those without area are kept. A polygon of n corners becomes n - 2 triangles that cover its
 /// inside: a convex one those from its first corner, in order. Every number is rounded once to the nearest `f32`, and
@@ -137,8 +138,10 @@ fn load_mesh(path: &Path, endings: &str, told: &mut Told) -> Result<Mesh, Error>
     }
 }
 
-/// The file's ending in lower case, without its dot; empty where there is none.
+/// The file's ending in lower case, without its dot and a `.gz` after it; empty where there is none.
 fn ending(path: &Path) -> String {
+    let inner = unpacked_name(path);
+    let path = inner.as_deref().unwrap_or(path);
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
@@ -148,8 +151,12 @@ fn unknown_ending(file: String, ending: &str, expected: &str) -> Error {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Error> {
-    let mut file = File::open(path).map_err(|source| Error::Open { path: path.into(), source })?;
+    let open = |source| Error::Open { path: path.into(), source };
+    let mut file = File::open(path).map_err(open)?;
+    if file.metadata().map_err(open)?.is_dir() {
+        return Err(open(std::io::ErrorKind::IsADirectory.into()));
+    }
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes).map_err(|source| Error::Io { path: path.into(), source })?;
-    Ok(bytes)
+    if unpacked_name(path).is_some() { unpack(path, &bytes) } else { Ok(bytes) }
 }

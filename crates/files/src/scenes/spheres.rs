@@ -1,5 +1,6 @@
 //! Tables of spheres: `.npy` and `.csv`.
 
+use super::lines::without_mark;
 use super::reading::Reading;
 use crate::Error;
 use crate::decimal::Number;
@@ -7,7 +8,7 @@ use crate::quote::quoted;
 use crate::tables::npy::Header;
 use rayproof_scene::Sphere;
 
-/// A header and rows of `x,y,z,r`.
+/// A header and rows of `x,y,z,r`, in any order, among other columns; `radius` is `r`.
 pub(super) fn csv(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Result<Vec<Sphere>, Error> {
     let expected = "give a header `x,y,z,r` and four numbers a line";
     let bad = |e: &csv::Error| {
@@ -19,18 +20,27 @@ pub(super) fn csv(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Result<
         };
         Error::bad(file, place, what, expected)
     };
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(bytes);
+    // NumPy writes a header as a comment.
+    let bytes = without_mark(bytes);
+    let bytes = bytes.strip_prefix(b"#").unwrap_or(bytes);
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes);
     let header = reader.headers().map_err(|e| bad(&e))?;
-    if header != vec!["x", "y", "z", "r"] {
-        let what = format!("the header is `{}`", header.iter().collect::<Vec<_>>().join(","));
+    let place = |names: &[&str]| {
+        let is = |name: &str| names.iter().any(|known| known.eq_ignore_ascii_case(name));
+        let mut found = header.iter().enumerate().filter(|(_, name)| is(name)).map(|(i, _)| i);
+        found.next().filter(|_| found.next().is_none())
+    };
+    let [Some(x), Some(y), Some(z), Some(r)] = [&["x"][..], &["y"], &["z"], &["r", "radius"]].map(place) else {
+        let what = format!("the header is {}", quoted(header.iter().collect::<Vec<_>>().join(",")));
         return Err(Error::bad(file, "line 1", what, expected));
-    }
+    };
     let mut spheres = Vec::new();
     let mut record = csv::StringRecord::new();
     while reader.read_record(&mut record).map_err(|e| bad(&e))? {
         let line = record.position().map_or(0, csv::Position::line);
         let mut row = [Number::default(); 4];
-        for (value, word) in row.iter_mut().zip(&record) {
+        for (value, column) in row.iter_mut().zip([x, y, z, r]) {
+            let word = record.get(column).unwrap_or_default();
             *value = Number::parse_any(word.as_bytes()).unwrap_or_else(|| {
                 reading.fault(format_args!("line {line}"), format_args!("{} is not a number", quoted(word)), expected);
                 Number::default()

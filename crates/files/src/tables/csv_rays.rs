@@ -29,8 +29,10 @@ const HEADER: &str = "give a first line with ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy
 pub(super) struct CsvRays {
     path: PathBuf,
     input: BufReader<Input>,
-    /// For each field of a line, its place in [`RAY_COLUMNS`].
-    columns: Vec<usize>,
+    /// For each field of a line, its place in [`RAY_COLUMNS`], if it is of a ray.
+    columns: Vec<Option<usize>>,
+    /// Whether the header was read: from there on a line that begins with `#` is a comment.
+    has_header: bool,
     /// What was read last.
     place: Place,
     text: Vec<u8>,
@@ -58,6 +60,7 @@ impl CsvRays {
             path: path.to_owned(),
             input,
             columns: Vec::new(),
+            has_header: false,
             place: Place::default(),
             text: Vec::new(),
             left: u64::MAX,
@@ -65,13 +68,20 @@ impl CsvRays {
         };
         let found = rays.next_line()?;
         let text = rays.text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&rays.text);
+        // NumPy writes a header as a comment.
+        let text = text.strip_prefix(b"#").unwrap_or(text);
         let names: Vec<String> = fields(text).map(|name| String::from_utf8_lossy(name).into_owned()).collect();
         let bad = |what: String| Error::bad(path.display().to_string(), "line 1", what, HEADER);
         if !found {
             return Err(bad("there is no header, the file is empty".to_owned()));
         }
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        if let ([line], Some(separator)) = (&names[..], [';', '\t'].into_iter().find(|&c| names[0].contains(c))) {
+            let what = format!("the columns are apart by {separator:?}: {}", quoted(line));
+            return Err(bad(what));
+        }
         rays.columns = places(&names).map_err(bad)?;
+        rays.has_header = true;
         Ok(rays)
     }
 
@@ -92,7 +102,8 @@ impl CsvRays {
                 let what = format!("the line is longer than {MAX_LINE} bytes");
                 return Err(Error::bad(self.path.display().to_string(), self.line(), what, "give a CSV file of rays"));
             }
-            if !self.text.trim_ascii().is_empty() {
+            let text = self.text.trim_ascii();
+            if !(text.is_empty() || self.has_header && text.starts_with(b"#")) {
                 return Ok(true);
             }
         }
@@ -122,7 +133,7 @@ impl CsvRays {
         let mut count = 0;
         for (i, field) in fields(&self.text).enumerate() {
             count += 1;
-            let Some(&column) = self.columns.get(i) else { continue };
+            let Some(&Some(column)) = self.columns.get(i) else { continue };
             values[column] = Number::parse_any(field).ok_or_else(|| {
                 (
                     format!("{} is {}, not a number", RAY_COLUMNS[column], quoted(field)),

@@ -27,25 +27,35 @@ pub use hit_writer::{HitKind, HitWriter};
 pub use ray_reader::RayReader;
 pub use ray_writer::RayWriter;
 
+use crate::quote::quoted;
+
 /// The columns of a table of rays, in the order in which `.npy` holds them; the last two are optional.
 const RAY_COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "t_min", "t_max"];
 
 /// How many rows are converted at a time; a few MiB at most.
 const BLOCK_ROWS: usize = 1 << 16;
 
-/// For each named column its place in [`RAY_COLUMNS`], or what is wrong: each name is one of them, none twice, the
-/// first six are there, and of the last two both or neither.
-fn places(names: &[&str]) -> Result<Vec<usize>, String> {
+/// For each named column its place in [`RAY_COLUMNS`], none for those that are not of a ray; or what is wrong: none of a ray's is
+/// there twice, the first six are there, and of the last two both or neither. The case of letters does not matter. A name that is
+/// nearly one of a ray's is wrong: a range that is passed over would change hits.
+fn places(names: &[&str]) -> Result<Vec<Option<usize>>, String> {
+    let letters = |name: &str| name.replace(|c: char| !c.is_ascii_alphanumeric(), "").to_ascii_lowercase();
     let mut places = Vec::new();
     for name in names {
-        match RAY_COLUMNS.iter().position(|column| column == name) {
-            Some(place) if places.contains(&place) => return Err(format!("the column {name} is there twice")),
-            Some(place) => places.push(place),
-            None => return Err(format!("{:?} is not the name of a column", name.chars().take(80).collect::<String>())),
+        let place = RAY_COLUMNS.iter().position(|column| column.eq_ignore_ascii_case(name));
+        let meant = RAY_COLUMNS.iter().find(|column| letters(column) == letters(name));
+        match (place, meant) {
+            (Some(_), Some(column)) if places.contains(&place) => {
+                return Err(format!("the column {column} is there twice"));
+            }
+            (None, Some(column)) => {
+                return Err(format!("{} is not the name of a column, and {column} may be meant", quoted(name)));
+            }
+            _ => places.push(place),
         }
     }
-    let needed = if places.iter().any(|&place| place >= 6) { 8 } else { 6 };
-    match (0..needed).find(|place| !places.contains(place)) {
+    let needed = if places.iter().flatten().any(|&place| place >= 6) { 8 } else { 6 };
+    match (0..needed).find(|&place| !places.contains(&Some(place))) {
         Some(missing) => Err(format!("the column {} is missing", RAY_COLUMNS[missing])),
         None => Ok(places),
     }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use arrow::array::{Array, Float32Array, Float64Array, RecordBatch};
 use arrow::datatypes::{DataType, Schema};
+use parquet::arrow::ProjectionMask;
 use parquet::arrow::arrow_reader::{
     ArrowReaderMetadata, ArrowReaderOptions, ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder,
 };
@@ -26,8 +27,10 @@ pub(super) struct ParquetRays {
     path: PathBuf,
     file: File,
     footer: ArrowReaderMetadata,
+    /// Which columns are read.
+    read: ProjectionMask,
     reader: ParquetRecordBatchReader,
-    /// For each column of the file, its place in [`RAY_COLUMNS`].
+    /// For each column that is read, its place in [`RAY_COLUMNS`].
     columns: Vec<usize>,
     /// The block being handed on: its rows, and how many of them are gone.
     block: Vec<[Number; 8]>,
@@ -46,16 +49,24 @@ impl ParquetRays {
         let name = path.display().to_string();
         let broken = |error: String| broken(path, &error);
         let footer = guarded(|| ArrowReaderMetadata::load(&file, ArrowReaderOptions::new())).map_err(broken)?;
-        let columns = columns(footer.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
+        let places = columns(footer.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
+        let columns = places.iter().copied().flatten().collect();
+        let read = ProjectionMask::roots(
+            footer.parquet_schema(),
+            places.iter().enumerate().filter_map(|(i, place)| place.map(|_| i)),
+        );
         let rows = footer.metadata().file_metadata().num_rows();
         let rows = u64::try_from(rows)
             .map_err(|_| Error::bad(&name, "footer", format!("it has {rows} rows"), "give a whole Parquet file"))?;
-        let double = footer.schema().fields().iter().any(|field| *field.data_type() == DataType::Float64);
-        let reader = guarded(|| builder(&file, &footer)?.build()).map_err(broken)?;
+        let fields = footer.schema().fields().iter().zip(&places);
+        let double =
+            fields.filter(|(_, place)| place.is_some()).any(|(field, _)| *field.data_type() == DataType::Float64);
+        let reader = guarded(|| builder(&file, &footer, &read)?.build()).map_err(broken)?;
         Ok(Self {
             path: path.to_owned(),
             file,
             footer,
+            read,
             reader,
             columns,
             block: Vec::new(),
@@ -146,8 +157,13 @@ impl Source for ParquetRays {
         }
         let of_groups = [offset, rows.end - rows.start].map(usize::try_from);
         let [Ok(offset), Ok(limit)] = of_groups else { return Err(broken(&self.path, "it holds more than memory")) };
-        let select =
-            || builder(&self.file, &self.footer)?.with_row_groups(groups).with_offset(offset).with_limit(limit).build();
+        let select = || {
+            builder(&self.file, &self.footer, &self.read)?
+                .with_row_groups(groups)
+                .with_offset(offset)
+                .with_limit(limit)
+                .build()
+        };
         self.reader = guarded(select).map_err(|error| broken(&self.path, &error))?;
         (self.next, self.end) = (rows.start, rows.end);
         Ok(())
@@ -155,9 +171,13 @@ impl Source for ParquetRays {
 }
 
 /// A reader of a file whose footer was read.
-fn builder(file: &File, footer: &ArrowReaderMetadata) -> Result<ParquetRecordBatchReaderBuilder<File>, ParquetError> {
+fn builder(
+    file: &File,
+    footer: &ArrowReaderMetadata,
+    read: &ProjectionMask,
+) -> Result<ParquetRecordBatchReaderBuilder<File>, ParquetError> {
     let builder = ParquetRecordBatchReaderBuilder::new_with_metadata(file.try_clone()?, footer.clone());
-    Ok(builder.with_batch_size(BLOCK_ROWS))
+    Ok(builder.with_batch_size(BLOCK_ROWS).with_projection(read.clone()))
 }
 
 fn broken(path: &Path, error: &str) -> Error {
@@ -174,15 +194,14 @@ fn guarded<T, E: Display>(read: impl FnOnce() -> Result<T, E>) -> Result<T, Stri
     }
 }
 
-/// For each column of the file its place in [`RAY_COLUMNS`], or what is wrong.
-fn columns(schema: &Schema) -> Result<Vec<usize>, String> {
-    let mut columns = Vec::new();
-    for field in schema.fields() {
-        match field.data_type() {
-            DataType::Float32 | DataType::Float64 => {}
-            other => return Err(format!("the column {} is of type {other}", field.name())),
+/// For each column of the file its place in [`RAY_COLUMNS`], if it is of a ray; or what is wrong.
+fn columns(schema: &Schema) -> Result<Vec<Option<usize>>, String> {
+    let names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
+    let places = places(&names)?;
+    for (field, _) in schema.fields().iter().zip(&places).filter(|(_, place)| place.is_some()) {
+        if !matches!(field.data_type(), DataType::Float32 | DataType::Float64) {
+            return Err(format!("the column {} is of type {}", field.name(), field.data_type()));
         }
-        columns.push(field.name().as_str());
     }
-    places(&columns)
+    Ok(places)
 }

@@ -8,6 +8,7 @@ use super::csv_rays::CsvRays;
 use super::format::{Format, is_standard_stream};
 use super::input::Input;
 use super::npy_rays::NpyRays;
+use crate::gzip::{unpacked_name, unpacking};
 use crate::{Error, Rounding};
 use rayproof_scene::{InvalidRays, Ray};
 
@@ -42,7 +43,7 @@ pub struct RayReader {
 impl RayReader {
     /// Opens a file, or stdin for `-`, and reads its header.
     ///
-    /// Without a `format` a file's ending tells it, and the first bytes of stdin.
+    /// Without a `format` a file's ending tells it, after which `.gz` may follow, and the first bytes of stdin.
     ///
     /// # Errors
     /// [`Error::Open`] where it cannot be opened, [`Error::Bad`] where the header is not that of a table of rays or
@@ -51,12 +52,16 @@ impl RayReader {
         if is_standard_stream(path) {
             return Self::from_pipe(path, Box::new(io::stdin()), format, invalid);
         }
-        let format = format.map_or_else(|| Format::of(path), Ok)?;
+        let unpacked = unpacked_name(path);
+        let format = format.map_or_else(|| Format::of(unpacked.as_deref().unwrap_or(path)), Ok)?;
         let open = |source| Error::Open { path: path.to_owned(), source };
         let file = File::open(path).map_err(open)?;
         let metadata = file.metadata().map_err(open)?;
         if metadata.is_dir() {
             return Err(open(io::ErrorKind::IsADirectory.into()));
+        }
+        if unpacked.is_some() {
+            return Self::from_pipe(path, unpacking(file), Some(format), invalid);
         }
         if !metadata.is_file() {
             return Self::from_pipe(path, Box::new(file), Some(format), invalid);

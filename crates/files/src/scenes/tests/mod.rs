@@ -4,6 +4,7 @@ mod gltf;
 mod gltf_pose;
 mod hostile;
 mod obj;
+mod packed;
 mod ply;
 mod polygon;
 mod scene_file;

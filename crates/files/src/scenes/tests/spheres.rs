@@ -28,6 +28,10 @@ fn an_empty_table_is_a_table() {
     assert_eq!(npy("f.npy", &write::npy("<f4", "False", "(0, 4)", &[])).unwrap(), []);
     assert_eq!(csv("f.csv", b"x,y,z,r\n").unwrap(), []);
     assert_eq!(csv("f.csv", b"x, y, z, r").unwrap(), []);
+    for text in ["x,y,z,r\n1,2,3,4", "# Radius,id,Z,y,X\n# all\n4,7,3,2,1\n", "\u{feff}x,y,z,RADIUS,x2\n1,2,3,4,\n#\n"]
+    {
+        assert_eq!(csv("f.csv", text.as_bytes()).unwrap(), [sphere([1.0, 2.0, 3.0, 4.0])], "{text}");
+    }
 }
 
 #[test]
@@ -60,7 +64,9 @@ fn bad_rows_are_named() {
         ),
         ("x,y,z,r\n0,0,zero,1\n0,,0,1\n", format!("line 2: `zero` is not a number (the first of 2); {expected}")),
         ("x,y,z,r\n0,0,0,1\n0,0,1\n", format!("line 3: there are 3 values; {expected}")),
-        ("x,y,z,radius\n", format!("line 1: the header is `x,y,z,radius`; {expected}")),
+        ("x,y,z,w\n", format!("line 1: the header is `x,y,z,w`; {expected}")),
+        ("x,y,z,r,radius\n", format!("line 1: the header is `x,y,z,r,radius`; {expected}")),
+        ("x;y;z;r\n", format!("line 1: the header is `x;y;z;r`; {expected}")),
         ("", format!("line 1: the header is ``; {expected}")),
     ] {
         assert_eq!(message(csv("f.csv", text.as_bytes())), format!("f.csv: {said}"));

@@ -21,6 +21,19 @@ fn columns_go_by_name() {
 }
 
 #[test]
+fn comments_and_other_columns_are_passed_over() {
+    let plain = read("ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n7,8,9,1,2,3\n").unwrap();
+    for text in [
+        "# ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n7,8,9,1,2,3\n",
+        "OX,Oy,oz,DX,dy,dz\n# a comment, of all\n1,2,3,4,5,6\n  # 1,1,1,1,1,1\n7,8,9,1,2,3\n#",
+        "id,ox,oy,oz,name,dx,dy,dz,w\n1,1,2,3,\"a ray\",4,5,6,x\n2,7,8,9,,1,2,3,nan\n",
+    ] {
+        assert_eq!(read(text).unwrap(), plain, "{text}");
+    }
+    assert_eq!(bad(read("ox,oy,oz,dx,dy,dz,w\n# 1\n1,2,3,4,5,6\n")).place, "line 3");
+}
+
+#[test]
 fn a_header_alone_is_no_rays() {
     assert_eq!(read(HEADER).unwrap(), []);
     assert_eq!(read(HEADER.trim_end()).unwrap(), []);
@@ -35,8 +48,11 @@ fn headers_that_do_not_name_the_columns_say_which() {
         ("ox,oy,oz,dx,dy,dz,t_min", "the column t_max is missing"),
         ("ox,oy,oz,dx,dy,dz,t_max", "the column t_min is missing"),
         ("ox,oy,oz,dx,dy,dz,dz", "the column dz is there twice"),
-        ("ox,oy,oz,dx,dy,dz,tmax", "\"tmax\" is not the name of a column"),
-        ("1,2,3,4,5,6", "\"1\" is not the name of a column"),
+        ("ox,oy,oz,dx,dy,dz,tmax", "`tmax` is not the name of a column, and t_max may be meant"),
+        ("ox,oy,oz,dx,dy,dz,T-Min,t_max", "`T-Min` is not the name of a column, and t_min may be meant"),
+        ("1,2,3,4,5,6", "the column ox is missing"),
+        ("ox;oy;oz;dx;dy;dz", "the columns are apart by ';': `ox;oy;oz;dx;dy;dz`"),
+        ("ox\toy\toz\tdx\tdy\tdz", "the columns are apart by '\\t': `ox\\toy\\toz\\tdx\\tdy\\tdz`"),
     ] {
         let bad = bad(read(header));
         assert_eq!((bad.place.as_str(), bad.what.as_str()), ("line 1", what));

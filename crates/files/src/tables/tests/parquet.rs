@@ -66,10 +66,24 @@ fn columns_that_are_not_of_a_table_of_rays_say_so() {
     assert_eq!(case(&|c| c[2].1 = Arc::clone(&ints)), "the column oz is of type Int32");
     assert_eq!(case(&|c| drop(c.remove(5))), "the column dz is missing");
     assert_eq!(case(&|c| c.push(("t_min", f32s(&[0.0; 3])))), "the column t_max is missing");
-    assert_eq!(case(&|c| c.push(("id", f32s(&[0.0; 3])))), "\"id\" is not the name of a column");
+    let near = "`t_Max_` is not the name of a column, and t_max may be meant";
+    assert_eq!(case(&|c| c.push(("t_Max_", f32s(&[0.0; 3])))), near);
     let null: ArrayRef = Arc::new(Float32Array::from(vec![Some(1.0), Some(1.0), None]));
     assert_eq!(case(&|c| c[3].1 = Arc::clone(&null)), "dx is null");
     assert_eq!(bad(read_file(&path)).place, "row 2 (counting from 0)");
+}
+
+#[test]
+fn other_columns_of_any_type_are_passed_over() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("rays.parquet");
+    write(&path, good());
+    let plain = read_file(&path).unwrap();
+    let mut columns = good();
+    columns.insert(2, ("id", Arc::new(Int32Array::from(vec![1, 2, 3]))));
+    columns.push(("weight", f32s(&[f32::NAN; 3])));
+    write(&path, columns);
+    assert_eq!(read_file(&path).unwrap(), plain);
 }
 
 #[test]
