@@ -33,6 +33,8 @@ pub(crate) enum Command {
     Rays(Rays),
     /// Draw a scene, or the error of every pixel.
     Render(Render),
+    /// Say what a scene holds: is it closed, what was left out of it, what did rounding change?
+    Info(Info),
     /// List the devices and measure the arithmetic of each.
     Devices(Devices),
     /// Measure speed against error, and write a page of it.
@@ -40,7 +42,7 @@ pub(crate) enum Command {
 }
 
 const SCENE: &str = "\
-The scene: a mesh (.obj .ply .stl .gltf .glb), or a scene file (.toml) that lists meshes and spheres:
+The scene: a mesh (.obj .ply .stl .gltf .glb, also with .gz), or a scene file (.toml) that lists meshes and spheres:
 
   [[geometry]]
   mesh = \"bunny.ply\"                # relative to the scene file
@@ -80,11 +82,11 @@ pub(crate) struct Intersect {
     #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
-    /// The rays, '-' for stdin: .npy of shape (N, 6) or (N, 8), .csv with ox,oy,oz,dx,dy,dz and, if wanted, t_min,t_max
+    /// The rays, '-' for stdin: .npy of shape (N, 6) or (N, 8), .csv or .parquet with ox,oy,oz,dx,dy,dz and, if wanted, t_min,t_max
     #[arg(value_name = "RAYS")]
     pub(crate) rays: PathBuf,
 
-    /// Where the hits go, '-' for stdout: .npy or .csv
+    /// Where the hits go, '-' for stdout: .npy, .csv or .parquet
     #[arg(short, long, value_name = "HITS")]
     pub(crate) output: PathBuf,
 
@@ -152,7 +154,7 @@ pub(crate) struct Rays {
     #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
-    /// Where the rays go, '-' for stdout: .npy (N, 6) or .csv
+    /// Where the rays go, '-' for stdout: .npy (N, 6), .csv or .parquet
     #[arg(short, long, value_name = "RAYS")]
     pub(crate) output: PathBuf,
 
@@ -215,6 +217,26 @@ pub(crate) struct Render {
     /// No progress and no summary on stderr
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  rayproof info bunny.ply
+  rayproof info scene.toml --origin auto --json
+
+A surface is closed where every edge is of an even number of triangles; vertices are one where they are at one place. Edges and \
+triangles are named by the first triangle, from 0 within its geometry.")]
+pub(crate) struct Info {
+    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    pub(crate) scene: PathBuf,
+
+    #[command(flatten)]
+    pub(crate) place: Place,
+
+    /// Print one JSON object
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -5,6 +5,7 @@ mod check;
 mod choices;
 mod devices;
 mod exit;
+mod info;
 mod interrupt;
 mod intersect;
 mod judged;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         args::Command::Intersect(args) => intersect::run(args, started),
         args::Command::Rays(args) => rays::run(args),
         args::Command::Render(args) => render::run(args),
+        args::Command::Info(args) => info::run(args),
         args::Command::Devices(args) => devices::run(args),
         args::Command::Report(args) => report::run(args),
     };

@@ -12,11 +12,13 @@ mod note;
 mod quote;
 pub mod replay;
 mod scenes;
+mod survey;
 mod tables;
 
 pub use error::{BadInput, Error};
 pub use note::{Note, Rounding};
 pub use scenes::{LoadedScene, Origin, load, load_at};
+pub use survey::{Survey, Tally};
 // What a reader is told to do with bad rays.
 pub use rayproof_scene::{INVALID_RAY, InvalidRays};
 pub use tables::{Format, HitKind, HitWriter, RayReader, RayWriter};

@@ -92,3 +92,25 @@ fn what_a_reader_left_out_is_a_note() {
     );
     assert_eq!(ran.json()["notes"].as_array().unwrap().len(), 3);
 }
+
+#[test]
+fn info_says_what_a_scene_holds() {
+    let folder = Folder::with_scene();
+    let text = |line: &str| String::from_utf8(folder.run(line).expect(0, &[]).stdout).unwrap();
+    assert_eq!(
+        text("info scene.toml"),
+        "scene     2 triangles, 2 spheres, 2 geometries\n\
+         box       [0.0, -1.0, -1.0] to [9.5, 9.5, 9.5]; the step of f32 there is 9.5e-7\n\
+         geometry  0: mesh, 2 primitives, open\n          4 boundary edges, the first at triangle 0\n\
+         geometry  1: spheres, 2 primitives, closed\n"
+    );
+    folder.write("strip.obj", STRIP);
+    let json = folder.run("info strip.obj --json").expect(0, &[]).json();
+    let [geometry] = &json["geometries"].as_array().unwrap()[..] else { panic!("{json}") };
+    // Its sides are one line: two triangles without area, there and back.
+    assert_eq!((&geometry["flat_triangles"]["count"], &geometry["closed"]), (&2.into(), &true.into()));
+    assert_eq!((&json["scene"]["flattened_triangles"], json["step"].as_f64()), (&2.into(), Some(0.5)));
+    assert_eq!(json["notes"].as_array().unwrap().len(), 1);
+    folder.run("info strip.obj --rounding error").expect(5, &["--origin auto"]);
+    folder.run("info none.obj").expect(5, &["none.obj: cannot be opened"]);
+}

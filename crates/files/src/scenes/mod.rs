@@ -23,6 +23,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
+pub(crate) use self::reading::is_flat;
 use self::reading::{Reading, Told};
 use crate::gzip::{unpack, unpacked_name};
 use crate::{Error, Note, Rounding};

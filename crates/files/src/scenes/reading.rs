@@ -176,7 +176,7 @@ impl Vertices {
 }
 
 /// Whether a triangle has no area: all three of its shadows on the coordinate planes have none, by exact signs.
-fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
+pub(crate) fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
     let planes: [fn(DVec3) -> DVec2; 3] =
         [|p| DVec2::new(p.x, p.y), |p| DVec2::new(p.y, p.z), |p| DVec2::new(p.z, p.x)];
     planes.into_iter().all(|shadow| {
