@@ -13,7 +13,7 @@ use crate::summary::{SceneSize, grouped};
 
 /// The object that `--json` prints.
 #[derive(Serialize)]
-struct Report {
+struct Contents {
     scene: SceneSize,
     /// The lowest and the highest corner of the box around all primitives.
     #[serde(rename = "box")]
@@ -76,7 +76,7 @@ pub(crate) fn run(args: &Info) -> Result<(), Failure> {
     let bounds = loaded.scene.bounds();
     let farthest =
         bounds.map_or(0.0, |bounds| bounds.into_iter().fold(0.0, |far: f32, v| far.max(v.abs().max_element())));
-    let report = Report {
+    let report = Contents {
         scene: SceneSize::of(&loaded),
         bounds: bounds.map(|bounds| bounds.map(|corner| corner.to_array())),
         step: farthest.next_up() - farthest,
@@ -91,7 +91,7 @@ pub(crate) fn run(args: &Info) -> Result<(), Failure> {
     print(report.text().trim_end())
 }
 
-impl Report {
+impl Contents {
     fn text(&self) -> String {
         let mut text = format!("scene     {}\n", self.scene);
         if let Some([low, high]) = self.bounds {

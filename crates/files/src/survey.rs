@@ -127,15 +127,14 @@ mod tests {
         let one_more = survey(&[&SHELL[..], &[[3, 1, 2]]].concat());
         assert_eq!(
             (one_more.is_closed(), one_more.duplicate_triangles, one_more.open_edges),
-            (false, tally(1, 4), tally(3, 1))
+            (false, tally(1, 4), tally(3, 0))
         );
         assert_eq!(survey(&[]), Survey::default());
     }
 
     #[test]
     fn vertices_are_places_and_flat_triangles_close_what_they_join() {
-        let apart: Vec<[f32; 3]> =
-            SHELL.as_flattened().iter().map(|&i| CORNERS[i as usize].map(|x| x * -1.0)).collect();
+        let apart: Vec<[f32; 3]> = SHELL.as_flattened().iter().map(|&i| CORNERS[i as usize].map(|x| -x)).collect();
         let own = (0..4).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         assert_eq!(Survey::of(&Geometry::Mesh(Mesh::new(apart, own))), Survey::default());
         // The edge from 0 to 1 has a corner at its middle on one side only; a triangle without area joins the two.
