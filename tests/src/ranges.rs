@@ -3,13 +3,13 @@
 
 use glam::Vec3;
 use rayproof::Precision;
-use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene, Sphere};
+use rayproof::scene::{Geometry, Mesh, Ray, Scene, Sphere};
 use rayproof_cpu::Engine as Cpu;
-use rayproof_oracle::{ExactHit, Oracle};
 use rayproof_tree::{Bvh, Scaling};
 
 use crate::conformance::{Pair, Tally, precisions};
 use crate::device::gpu;
+use crate::exact::{Answers, Engines, Truth, truth};
 
 const ENDS: [f32; 15] =
     [f32::NEG_INFINITY, -3e38, -1e20, -1e5, -4.0, -1e-30, 0.0, 1e-45, 2.0, 4.0, 6.5, 1e5, 1e20, 3e38, f32::INFINITY];
@@ -49,17 +49,11 @@ fn scenes() -> Vec<(Scene, Vec<Ray>)> {
 #[test]
 fn every_range_has_an_answer_in_every_precision() {
     for (scene, rays) in scenes() {
-        let oracle = Oracle::new(&scene);
-        let truth = oracle.batch(&rays, |oracle: &Oracle, ray: &Ray| {
-            (oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit), oracle.count(ray))
-        });
-        let exact = Cpu::new(Bvh::new(&scene, Scaling::of(Precision::Exact)).expect("small"), Precision::Exact);
-        let (mut hits, mut counts) = (vec![FlatHit::MISS; rays.len()], vec![9; rays.len()]);
-        exact.closest(&rays, &mut hits);
-        exact.count(&rays, &mut counts);
-        for (i, ray) in rays.iter().enumerate() {
-            assert!(hits[i].same_bits(&truth[i].0), "{ray:?}: {:?}, not {:?}", hits[i], truth[i].0);
-            assert_eq!(counts[i], truth[i].1, "{ray:?}");
+        let Answers { mut hits, counts, .. } = Engines::new(&scene).on_cpu(&rays);
+        for (i, Truth { hit, count }) in truth(&scene, &rays).iter().enumerate() {
+            let ray = rays[i];
+            assert!(hits[i].same_bits(hit), "{ray:?}: {:?}, not {hit:?}", hits[i]);
+            assert_eq!(counts[i], *count, "{ray:?}");
         }
         for precision in Precision::ALL {
             // No panic, whether or not a device runs it.

@@ -130,7 +130,7 @@ pub(crate) struct Intersect {
 }
 
 /// Where the scene is, and what becomes of digits that `f32` has no room for there.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(crate) struct Place {
     /// Subtract X,Y,Z from scene and rays, exactly, before they are rounded to f32; 'auto' is the middle of the scene's box, on
     /// a grid of powers of two [default: `origin` in the scene file]

@@ -8,7 +8,7 @@ use rayproof::{AdapterReport, DeviceChoice, DeviceError, DeviceInfo, Fingerprint
 use serde::Serialize;
 
 use crate::args::Devices;
-use crate::exit::{Code, Failure, print};
+use crate::exit::{Failure, print, print_json};
 
 /// The object that `--json` prints.
 #[derive(Serialize)]
@@ -97,7 +97,7 @@ pub(crate) fn run(args: &Devices) -> Result<(), Failure> {
         adapters: adapters.into_iter().map(adapter).collect(),
         error,
     };
-    print(&serde_json::to_string(&listing).map_err(|e| Failure::new(Code::Running, e.to_string()))?)
+    print_json(&listing)
 }
 
 /// What a choice comes to.

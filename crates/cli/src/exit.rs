@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use rayproof::stream::ShardError;
 use rayproof::{DeviceError, files};
+use serde::Serialize;
 
 /// The exit codes that scripts rely on; 0 is done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,6 +104,14 @@ pub(crate) fn say(line: fmt::Arguments<'_>) {
 pub(crate) fn print(line: &str) -> Result<(), Failure> {
     let mut out = std::io::stdout().lock();
     writeln!(out, "{line}").and_then(|()| out.flush()).map_err(|e| Failure::new(Code::Running, format!("stdout: {e}")))
+}
+
+/// An object of JSON on stdout, in one line.
+///
+/// # Errors
+/// As [`print`].
+pub(crate) fn print_json(object: &impl Serialize) -> Result<(), Failure> {
+    print(&serde_json::to_string(object).map_err(|e| Failure::new(Code::Running, e.to_string()))?)
 }
 
 #[cfg(test)]

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use rayproof::files::{Survey, Tally};
+use rayproof::files::Survey;
 use rayproof::scene::{Geometry, Kind};
 use serde::Serialize;
 
 use crate::args::Info;
-use crate::exit::{Code, Failure, print};
+use crate::exit::{Failure, print, print_json};
 use crate::load::Loaded;
 use crate::summary::{SceneSize, grouped};
 
@@ -30,49 +30,24 @@ struct OfGeometry {
     kind: &'static str,
     primitives: usize,
     closed: bool,
-    boundary_edges: OfTally,
-    non_manifold_edges: OfTally,
-    open_edges: OfTally,
-    duplicate_triangles: OfTally,
-    flat_triangles: OfTally,
-}
-
-#[derive(Serialize)]
-struct OfTally {
-    count: usize,
-    /// The first triangle.
-    first: Option<usize>,
-}
-
-impl From<Tally> for OfTally {
-    fn from(Tally { count, first }: Tally) -> Self {
-        Self { count, first }
-    }
+    #[serde(flatten)]
+    survey: Survey,
 }
 
 impl From<&Geometry> for OfGeometry {
     fn from(geometry: &Geometry) -> Self {
         let survey = Survey::of(geometry);
-        Self {
-            kind: match geometry.kind() {
-                Kind::Triangle => "mesh",
-                Kind::Sphere => "spheres",
-            },
-            primitives: geometry.len(),
-            closed: survey.is_closed(),
-            boundary_edges: survey.boundary_edges.into(),
-            non_manifold_edges: survey.non_manifold_edges.into(),
-            open_edges: survey.open_edges.into(),
-            duplicate_triangles: survey.duplicate_triangles.into(),
-            flat_triangles: survey.flat_triangles.into(),
-        }
+        let kind = match geometry.kind() {
+            Kind::Triangle => "mesh",
+            Kind::Sphere => "spheres",
+        };
+        Self { kind, primitives: geometry.len(), closed: survey.is_closed(), survey }
     }
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &Info) -> Result<(), Failure> {
-    let Loaded { scene: loaded, notes, .. } =
-        Loaded::read(&args.scene, args.place.origin.unwrap_or_default(), args.place.rounding)?;
+    let Loaded { scene: loaded, notes, .. } = Loaded::read(&args.scene, &args.place)?;
     let bounds = loaded.scene.bounds();
     let farthest =
         bounds.map_or(0.0, |bounds| bounds.into_iter().fold(0.0, |far: f32, v| far.max(v.abs().max_element())));
@@ -85,8 +60,7 @@ pub(crate) fn run(args: &Info) -> Result<(), Failure> {
         notes,
     };
     if args.json {
-        let json = serde_json::to_string(&report).map_err(|e| Failure::new(Code::Running, e.to_string()))?;
-        return print(&json);
+        return print_json(&report);
     }
     print(report.text().trim_end())
 }
@@ -106,10 +80,10 @@ impl Contents {
                 grouped(geometry.primitives as u64)
             );
             for (name, tally) in [
-                ("boundary edges", &geometry.boundary_edges),
-                ("edges of more than two triangles", &geometry.non_manifold_edges),
-                ("triangles that are there twice", &geometry.duplicate_triangles),
-                ("triangles without area", &geometry.flat_triangles),
+                ("boundary edges", geometry.survey.boundary_edges),
+                ("edges of more than two triangles", geometry.survey.non_manifold_edges),
+                ("triangles that are there twice", geometry.survey.duplicate_triangles),
+                ("triangles without area", geometry.survey.flat_triangles),
             ] {
                 if let Some(first) = tally.first {
                     let _ = writeln!(

@@ -11,7 +11,7 @@ use rayproof::{Intersector, Options, Precision};
 use crate::args::Intersect;
 use crate::check::check;
 use crate::choices::{OnRounding, Query};
-use crate::exit::{Code, Failure, print, say};
+use crate::exit::{Code, Failure, print_json, say};
 use crate::interrupt::{self, Writing};
 use crate::judged::Judged;
 use crate::load::Loaded;
@@ -31,7 +31,7 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
     }
     let format = args.to.of_output(&args.output)?;
     let loading = Instant::now();
-    let loaded = Loaded::read(&args.scene, args.place.origin.unwrap_or_default(), args.place.rounding)?;
+    let loaded = Loaded::read(&args.scene, &args.place)?;
     let load = loading.elapsed().as_secs_f64();
     target::is_no_input(&args.output, loaded.scene.sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
     let mut rays = args.shard.unwrap_or(Shard::WHOLE).open(&args.rays, args.invalid.into())?;
@@ -69,8 +69,7 @@ impl Run<'_> {
             say(format_args!("{summary}"));
         }
         if self.args.json {
-            let json = serde_json::to_string(&summary).map_err(|e| Failure::new(Code::Running, e.to_string()))?;
-            print(&json)?;
+            print_json(&summary)?;
         }
         match checked.disagreed {
             0 => Ok(()),
@@ -96,7 +95,7 @@ impl Run<'_> {
     /// What is to be said of rays that rounding moved.
     fn rays_rounded<A>(&self, done: &Done<A>) -> Option<String> {
         let Intersect { rays, place, .. } = self.args;
-        let told = self.loaded.told(&rays.display().to_string(), done.rounding, place.origin.unwrap_or_default());
+        let told = self.loaded.told(rays, done.rounding, place);
         told.filter(|_| place.rounding == OnRounding::Warn)
     }
 

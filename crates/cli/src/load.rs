@@ -4,6 +4,7 @@ use std::path::Path;
 
 use rayproof::files::{self, LoadedScene, Origin, Rounding};
 
+use crate::args::Place;
 use crate::choices::OnRounding;
 use crate::exit::{Code, Failure};
 use crate::summary::grouped;
@@ -24,8 +25,8 @@ impl Loaded {
     ///
     /// # Errors
     /// When it is bad, or when rounding moves it more than it may.
-    pub(crate) fn read(path: &Path, origin: Origin, on_rounding: OnRounding) -> Result<Self, Failure> {
-        let scene = files::load_at(path, origin)?;
+    pub(crate) fn read(path: &Path, place: &Place) -> Result<Self, Failure> {
+        let scene = files::load_at(path, place.origin.unwrap_or_default())?;
         let size = scene.scene.bounds().map_or(0.0, |[low, high]| f64::from((high - low).max_element()));
         let mut notes: Vec<String> = scene.notes.iter().map(ToString::to_string).collect();
         if scene.scene.is_empty() {
@@ -35,15 +36,15 @@ impl Loaded {
             let [x, y, z] = scene.origin;
             notes.push(format!("the origin {x},{y},{z} is subtracted from the scene and its rays"));
         }
-        let loaded = Self { scene, notes: Vec::new(), size };
-        if let Some(told) = loaded.told(&path.display().to_string(), loaded.scene.rounding, origin) {
-            match on_rounding {
-                OnRounding::Warn => notes.push(told),
+        let mut loaded = Self { scene, notes, size };
+        if let Some(told) = loaded.told(path, loaded.scene.rounding, place) {
+            match place.rounding {
+                OnRounding::Warn => loaded.notes.push(told),
                 OnRounding::Error => return Err(Failure::new(Code::BadInput, told)),
                 OnRounding::Allow => {}
             }
         }
-        Ok(Self { notes, ..loaded })
+        Ok(loaded)
     }
 
     /// By how much rounding may move a place without a word.
@@ -52,12 +53,12 @@ impl Loaded {
     }
 
     /// What rounding did, where it did harm, and what to do.
-    pub(crate) fn told(&self, what: &str, rounding: Rounding, origin: Origin) -> Option<String> {
+    pub(crate) fn told(&self, path: &Path, rounding: Rounding, place: &Place) -> Option<String> {
         let Rounding { largest_shift: shift, flattened_triangles: flat, .. } = rounding;
         if shift <= self.harmless() && flat == 0 {
             return None;
         }
-        let mut text = format!("{what}: rounding to f32 moved a place by {shift:.2e}");
+        let mut text = format!("{}: rounding to f32 moved a place by {shift:.2e}", path.display());
         if self.size > 0.0 {
             text += &format!(", {:.1e} of the scene's size", shift / self.size);
         }
@@ -66,8 +67,8 @@ impl Loaded {
             1 => text += ", and 1 triangle lost its area",
             n => text += &format!(", and {} triangles lost their area", grouped(n)),
         }
-        text += match origin {
-            Origin::Auto => "; no origin mends it: --rounding allow says nothing of it",
+        text += match place.origin {
+            Some(Origin::Auto) => "; no origin mends it: --rounding allow says nothing of it",
             _ => "; give --origin auto, or --rounding allow",
         };
         Some(text)

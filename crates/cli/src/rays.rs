@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use rayproof::BATCH;
-use rayproof::files::{Origin, RayWriter};
+use rayproof::files::RayWriter;
 use rayproof::rays::{Diffuse, Incoherent, Primary};
 use rayproof::scene::{Camera, Ray, Scene};
 
-use crate::args::Rays;
-use crate::choices::{Kind, OnRounding};
+use crate::args::{Place, Rays};
+use crate::choices::Kind;
 use crate::exit::{Code, Failure, say};
 use crate::interrupt::{self, Writing};
 use crate::load::Loaded;
@@ -27,7 +27,7 @@ pub(crate) fn run(args: &Rays) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     args.to.of_output(&args.output)?;
-    let Loaded { scene: loaded, notes, .. } = Loaded::read(&args.scene, Origin::Own, OnRounding::Warn)?;
+    let Loaded { scene: loaded, notes, .. } = Loaded::read(&args.scene, &Place::default())?;
     if loaded.origin != [0.0; 3] {
         let message = format!(
             "{}: it has an origin, and rays of its place are not f32; make them in float64 with it, or leave it out here",

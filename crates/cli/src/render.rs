@@ -30,8 +30,7 @@ pub(crate) fn run(args: &Render) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     target::has_folder(&args.output)?;
-    let Loaded { scene: loaded, notes, .. } =
-        Loaded::read(&args.scene, args.place.origin.unwrap_or_default(), args.place.rounding)?;
+    let Loaded { scene: loaded, notes, .. } = Loaded::read(&args.scene, &args.place)?;
     target::is_no_input(&args.output, loaded.sources.iter().map(PathBuf::as_path))?;
     let camera = loaded.camera.unwrap_or_else(|| Camera::framing(&loaded.scene));
     let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };

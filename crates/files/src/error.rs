@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 /// Input that cannot be answered: it says what is wrong, where, and what would be right.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{file}: {place}: {what}{}; {expected}", self.others())]
+#[error("{file}: {place}: {what}{}; {expected}", first_of(*.more))]
 pub struct BadInput {
     /// The file, as it was named; `-` is stdin.
     pub file: String,
@@ -17,12 +17,11 @@ pub struct BadInput {
     pub expected: String,
 }
 
-impl BadInput {
-    fn others(&self) -> String {
-        match self.more {
-            0 => String::new(),
-            n => format!(" (the first of {})", n + 1),
-        }
+/// What is said after a place where there are more like it.
+pub(crate) fn first_of(more: usize) -> String {
+    match more {
+        0 => String::new(),
+        n => format!(" (the first of {})", n + 1),
     }
 }
 

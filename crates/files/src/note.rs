@@ -1,6 +1,7 @@
 use std::fmt;
 
 use crate::decimal::Number;
+use crate::error::first_of;
 
 /// What a reader left out, or took otherwise than its user may think, though every triangle is where the file puts it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -18,11 +19,7 @@ pub struct Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { file, place, what, more } = self;
-        write!(f, "{file}: {place}: {what}")?;
-        match more {
-            0 => Ok(()),
-            n => write!(f, " (the first of {})", n + 1),
-        }
+        write!(f, "{file}: {place}: {what}{}", first_of(*more))
     }
 }
 

@@ -3,12 +3,13 @@
 use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
+use serde::Serialize;
 
 use crate::scenes::is_flat;
 use rayproof_scene::{Geometry, Mesh};
 
 /// So many of a kind, and which triangle is the first.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
     /// How many there are.
     pub count: usize,
@@ -24,7 +25,7 @@ impl Tally {
 }
 
 /// What is odd about a geometry. Vertices are one where they are at one place, whatever their numbers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Survey {
     /// Edges of one triangle only.
     pub boundary_edges: Tally,

@@ -1,10 +1,9 @@
 //! Family by family against the oracle: the same primitive, every number correctly rounded, every crossing counted.
 
-use rayproof::scene::{FlatHit, Ray, Undecided};
+use rayproof::scene::{Ray, Undecided};
 use rayproof_oracle::families::{self, Case};
-use rayproof_oracle::{ExactHit, Oracle};
 
-use super::{Answers, Engines, rays};
+use super::{Answers, Engines, Truth, rays, truth};
 use crate::device::gpu;
 
 const SEED: u64 = 11;
@@ -21,18 +20,9 @@ struct Tally {
     undecided: Undecided,
 }
 
-/// The exact answers to a ray.
-struct Truth {
-    hit: FlatHit,
-    count: u32,
-}
-
 fn compare(case: &Case, tally: &mut Tally) {
     let engines = Engines::new(&case.scene);
-    let truth = Oracle::new(&case.scene).batch(&case.rays, |oracle: &Oracle, ray: &Ray| Truth {
-        hit: oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit),
-        count: oracle.count(ray),
-    });
+    let truth = truth(&case.scene, &case.rays);
     let cpu = engines.on_cpu(&case.rays);
     tally.undecided += cpu.undecided;
     judge("cpu", &case.rays, &cpu, &truth, tally);

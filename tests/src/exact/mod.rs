@@ -10,6 +10,7 @@ use rayproof::Precision;
 use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_gpu::Engine as Device;
+use rayproof_oracle::{ExactHit, Oracle};
 use rayproof_tree::{Bvh, Scaling};
 
 use crate::device::gpu;
@@ -41,6 +42,20 @@ impl Answers {
         let (hits, any, counts) = (vec![FlatHit::MISS; n], vec![9; n], vec![u32::MAX; n]);
         Self { hits, any, counts, undecided: Undecided::default() }
     }
+}
+
+/// The exact answers to a ray.
+pub(crate) struct Truth {
+    pub(crate) hit: FlatHit,
+    pub(crate) count: u32,
+}
+
+/// The exact answers to each ray.
+pub(crate) fn truth(scene: &Scene, rays: &[Ray]) -> Vec<Truth> {
+    Oracle::new(scene).batch(rays, |oracle: &Oracle, ray: &Ray| Truth {
+        hit: oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit),
+        count: oracle.count(ray),
+    })
 }
 
 impl Engines {

@@ -1,21 +1,18 @@
 //! Far spheres grazed at the rim, and the ground under an eye.
 
 use glam::Vec3;
-use rayproof::scene::{FlatHit, Geometry, Ray, Scene, Sphere};
-use rayproof_oracle::{ExactHit, Oracle};
+use rayproof::scene::{Geometry, Ray, Scene, Sphere};
 
-use super::{Engines, rays};
+use super::{Engines, Truth, rays, truth};
 use crate::scenes::Numbers;
 
 /// Both engines against the oracle, in every bit; how many rays hit.
 fn compare(what: &str, scene: &Scene, rays: &[Ray]) -> usize {
     let engines = Engines::new(scene);
-    let truth = Oracle::new(scene).batch(rays, |oracle: &Oracle, ray: &Ray| {
-        (oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit), oracle.count(ray))
-    });
+    let truth = truth(scene, rays);
     for (engine, answers) in [("cpu", Some(engines.on_cpu(rays))), ("device", engines.on_device(rays))] {
         let answers = answers.expect("the scene is plain");
-        for (i, (hit, count)) in truth.iter().enumerate() {
+        for (i, Truth { hit, count }) in truth.iter().enumerate() {
             let same = answers.hits[i].same_bits(hit) && answers.counts[i] == *count;
             assert!(
                 same,
@@ -24,7 +21,7 @@ fn compare(what: &str, scene: &Scene, rays: &[Ray]) -> usize {
             );
         }
     }
-    truth.iter().filter(|(hit, _)| hit.is_hit()).count()
+    truth.iter().filter(|truth| truth.hit.is_hit()).count()
 }
 
 /// Radius 1, at 1e1 to 1e7, within 1e-3 of the rim on either side.

@@ -2,10 +2,9 @@
 //! slots, which a device that takes subnormals for 0 could not tell apart.
 
 use glam::Vec3;
-use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene};
-use rayproof_oracle::{ExactHit, Oracle};
+use rayproof::scene::{Geometry, Mesh, Ray, Scene};
 
-use super::Engines;
+use super::{Engines, Truth, truth};
 use crate::scenes::Numbers;
 
 /// Triangles from the plane x = 0, where their boxes begin, to x = 1: all of them across the x axis, each at another place.
@@ -31,10 +30,7 @@ fn children_that_are_entered_at_zero_are_all_visited() {
         let rays: Vec<Ray> = (0..500).map(|_| Ray::new(Vec3::new(start, near(), near()), Vec3::X)).collect();
         let engines = Engines::new(&scene);
         let device = engines.on_device(&rays).expect("the scene is plain");
-        let truth = Oracle::new(&scene).batch(&rays, |oracle: &Oracle, ray: &Ray| {
-            (oracle.closest(ray).as_ref().map_or(FlatHit::MISS, ExactHit::to_hit), oracle.count(ray))
-        });
-        for (i, (hit, count)) in truth.iter().enumerate() {
+        for (i, Truth { hit, count }) in truth(&scene, &rays).iter().enumerate() {
             assert!(device.hits[i].same_bits(hit), "{:?}\n{:?}\n{hit:?}", rays[i], device.hits[i]);
             assert_eq!(device.counts[i], *count, "{:?}", rays[i]);
             hits += usize::from(hit.is_hit());

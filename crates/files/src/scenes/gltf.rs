@@ -26,11 +26,19 @@ pub(super) fn parse(path: &Path, bytes: &[u8], mut reading: Reading<'_>) -> Resu
         let bodies = pose.bodies(&data, node, world)?;
         for (i, primitive) in data.get(&root.meshes, "mesh", index)?.primitives.iter().enumerate() {
             let place = format!("node {node}, primitive {i}");
-            let Some(corners) = corners(&data, &place, primitive)? else { continue };
+            let mode = primitive.mode.unwrap_or(4);
+            match mode {
+                // Points and lines.
+                0..=3 => continue,
+                4..=6 => {}
+                _ => return Err(data.bad(place, format!("its mode is {mode}"), "give a mode from 0 to 6")),
+            }
             let weights = root.nodes[node].weights.as_ref().unwrap_or(&root.meshes[index].weights);
             let shape = Shape::new(&data, &place, primitive, weights)?;
+            let Some(triangles) = shape.triangles(&data, &place, primitive, mode, &mut reading)? else { continue };
             for body in &bodies {
-                add(&data, &place, &shape.placed(&data, &place, primitive, body)?, &corners, &mut mesh, &mut reading)?;
+                let placed = shape.placed(&data, &place, primitive, body)?;
+                add(&data, &place, &placed, &triangles, &mut mesh, &mut reading)?;
             }
         }
     }
@@ -207,6 +215,43 @@ impl Shape {
         Ok(Self(vertices))
     }
 
+    /// The triangles over the vertices in a mode of 4 (triangles), 5 (a strip) or 6 (a fan); none where one of the indices is bad,
+    /// which is told.
+    fn triangles(
+        &self,
+        data: &Data<'_>,
+        place: &str,
+        primitive: &PrimitiveJson,
+        mode: u32,
+        reading: &mut Reading<'_>,
+    ) -> Result<Option<Vec<[u32; 3]>>, Error> {
+        let count = self.0.len();
+        let indices = match primitive.indices {
+            Some(accessor) => data.indices(accessor)?,
+            None => (0..).take(count).collect(),
+        };
+        let mut out_of_range = indices.iter().enumerate().filter(|&(_, &index)| index as usize >= count).peekable();
+        if out_of_range.peek().is_some() {
+            let expected = format!("it has {count} vertices: give indices from 0 and below {count}");
+            for (i, index) in out_of_range {
+                let what = format_args!("vertex {index} is out of range");
+                reading.fault(format_args!("{place}, index {i} (counting from 0)"), what, &expected);
+            }
+            return Ok(None);
+        }
+        if mode == 4 && !indices.len().is_multiple_of(3) {
+            let what = format!("{} vertices are not whole triangles", indices.len());
+            return Err(data.bad(place, what, "give three a triangle"));
+        }
+        let triangles = if mode == 4 { indices.len() / 3 } else { indices.len().saturating_sub(2) };
+        let corners = |i: usize| match mode {
+            4 => [3 * i, 3 * i + 1, 3 * i + 2],
+            5 => [i, i + 1 + i % 2, i + 2 - i % 2],
+            _ => [i + 1, i + 2, 0],
+        };
+        Ok(Some((0..triangles).map(|i| corners(i).map(|corner| indices[corner])).collect()))
+    }
+
     /// In world space.
     fn placed(
         &self,
@@ -250,80 +295,25 @@ impl Shape {
     }
 }
 
-/// The corners of a primitive's triangles by their place among its vertices; none for points and lines.
-fn corners(data: &Data<'_>, place: &str, primitive: &PrimitiveJson) -> Result<Option<Corners>, Error> {
-    let mode = primitive.mode.unwrap_or(4);
-    match mode {
-        0..=3 => return Ok(None),
-        4..=6 => {}
-        _ => return Err(data.bad(place, format!("its mode is {mode}"), "give a mode from 0 to 6")),
-    }
-    let indices = primitive.indices.map(|accessor| data.indices(accessor)).transpose()?;
-    Ok(Some(Corners { mode, indices }))
-}
-
-struct Corners {
-    /// 4: triangles, 5: a strip, 6: a fan.
-    mode: u32,
-    /// None: the vertices as they stand.
-    indices: Option<Vec<u32>>,
-}
-
-impl Corners {
-    /// The triangles, by places among the corners.
-    fn triangles(&self, count: usize) -> impl Iterator<Item = [usize; 3]> {
-        let mode = self.mode;
-        let triangles = if mode == 4 { count / 3 } else { count.saturating_sub(2) };
-        (0..triangles).map(move |i| match mode {
-            4 => [3 * i, 3 * i + 1, 3 * i + 2],
-            5 => [i, i + 1 + i % 2, i + 2 - i % 2],
-            _ => [i + 1, i + 2, 0],
-        })
-    }
-}
-
-/// Appends the triangles of a primitive.
+/// Appends the triangles of a primitive, once it is placed.
 fn add(
     data: &Data<'_>,
     place: &str,
     placed: &[DVec3],
-    corners: &Corners,
+    triangles: &[[u32; 3]],
     mesh: &mut Mesh,
     reading: &mut Reading<'_>,
 ) -> Result<(), Error> {
-    let (Ok(base), Ok(end)) = (u32::try_from(mesh.vertices.len()), u32::try_from(mesh.vertices.len() + placed.len()))
-    else {
+    let base = u32::try_from(mesh.vertices.len());
+    let (Ok(base), Ok(_)) = (base, u32::try_from(mesh.vertices.len() + placed.len())) else {
         return Err(data.bad(place, "there are more than 4294967295 vertices", "split the file"));
     };
-    let all: Vec<u32>;
-    let indices = match &corners.indices {
-        Some(indices) => indices,
-        None => {
-            all = (0..end - base).collect();
-            &all
-        }
-    };
-    let count = placed.len();
-    let mut out_of_range = indices.iter().enumerate().filter(|&(_, &index)| index as usize >= count).peekable();
-    if out_of_range.peek().is_some() {
-        let expected = format!("it has {count} vertices: give indices from 0 and below {count}");
-        for (i, index) in out_of_range {
-            let what = format_args!("vertex {index} is out of range");
-            reading.fault(format_args!("{place}, index {i} (counting from 0)"), what, &expected);
-        }
-        return Ok(());
-    }
-    if corners.mode == 4 && !indices.len().is_multiple_of(3) {
-        let what = format!("{} vertices are not whole triangles", indices.len());
-        return Err(data.bad(place, what, "give three a triangle"));
-    }
-    let mut vertices = Vertices::with_capacity(count);
+    let mut vertices = Vertices::with_capacity(placed.len());
     for (i, v) in placed.iter().enumerate() {
         vertices.push(v.to_array().map(Into::into), i, reading);
     }
-    let triangles = corners.triangles(indices.len()).map(|corners| corners.map(|i| indices[i])).collect();
     let vertex = |i| format!("{place}, vertex {i} in world space (counting from 0)");
-    let part = vertices.mesh(triangles, vertex, reading);
+    let part = vertices.mesh(triangles.to_vec(), vertex, reading);
     mesh.vertices.extend(part.vertices);
     mesh.triangles.extend(part.triangles.into_iter().map(|corners| corners.map(|corner| base + corner)));
     Ok(())

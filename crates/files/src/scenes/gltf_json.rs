@@ -12,10 +12,10 @@ use super::lines::without_mark;
 use crate::Error;
 use crate::quote::quoted;
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Default)]
 #[serde(rename_all = "camelCase", default)]
-#[derive(Default)]
 pub(super) struct Root {
+    asset: BTreeMap<String, Value>,
     pub(super) accessors: Vec<Accessor>,
     pub(super) buffer_views: Vec<BufferView>,
     pub(super) buffers: Vec<Buffer>,
@@ -131,10 +131,10 @@ const NOT_READ: [(&str, &str); 4] = [
 pub(super) const DRACO: &str = "KHR_draco_mesh_compression";
 pub(super) const MESHOPT: &str = "EXT_meshopt_compression";
 
-/// What stands in for JSON's `asset`, to tell an old file before anything else is wrong with it.
+/// What is read of JSON that is no [`Root`], to tell an old file from a broken one.
 #[derive(Deserialize)]
 struct AssetOnly {
-    asset: Option<BTreeMap<String, Value>>,
+    asset: BTreeMap<String, Value>,
 }
 
 /// The JSON, and the binary chunk of a GLB.
@@ -146,17 +146,18 @@ pub(super) fn read<'a>(file: &str, bytes: &'a [u8]) -> Result<(Root, Option<&'a 
     } else {
         (without_mark(bytes), None)
     };
-    let old =
-        |version: &str| Error::bad(file, "asset.version", format!("it is glTF {version}"), "convert it to glTF 2.0");
-    let json_error = |e: serde_json::Error| bad(format!("its JSON is none that is read: {e}"));
-    let header: AssetOnly = serde_json::from_slice(json).map_err(json_error)?;
-    match header.asset.as_ref().and_then(|asset| asset.get("version")) {
+    let current = |asset: &BTreeMap<String, Value>| match asset.get("version") {
         Some(Value::String(version)) if !version.starts_with("2.") => {
-            return Err(old(quoted(version).trim_matches('`')));
+            let what = format!("it is glTF {}", quoted(version).trim_matches('`'));
+            Err(Error::bad(file, "asset.version", what, "convert it to glTF 2.0"))
         }
-        _ => {}
-    }
-    let root: Root = serde_json::from_slice(json).map_err(json_error)?;
+        _ => Ok(()),
+    };
+    let root: Root = serde_json::from_slice(json).map_err(|e| {
+        let old = serde_json::from_slice::<AssetOnly>(json).ok().and_then(|only| current(&only.asset).err());
+        old.unwrap_or_else(|| bad(format!("its JSON is none that is read: {e}")))
+    })?;
+    current(&root.asset)?;
     for name in &root.extensions_required {
         if let Some((name, remedy)) = NOT_READ.iter().find(|(known, _)| known == name) {
             return Err(Error::bad(file, "extensionsRequired", format!("{name} is not read"), *remedy));

@@ -30,7 +30,7 @@ impl<'a> Payload<'a> {
     /// `count`, or fewer if the rest of the file is too short for as many: a header may claim anything.
     pub(super) fn at_most(&self, count: usize) -> usize {
         let (Self::Ascii(Words { rest, .. }) | Self::Binary { rest, .. }) = self;
-        count.min(rest.len() / 3)
+        count.min(rest.len())
     }
 
     /// Reads all elements of one kind and hands on three of the scalars of each.

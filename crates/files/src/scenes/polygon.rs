@@ -100,7 +100,7 @@ fn project(corners: impl Iterator<Item = DVec3> + Clone, points: &mut Vec<DVec2>
 }
 
 /// Positive where `a, b, c` turn left, negative where they turn right, 0 where they lie on a line: exactly.
-fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let [a, b, c] = [a, b, c].map(|p| Coord { x: p.x, y: p.y });
     orient2d(a, b, c)
 }

@@ -2,9 +2,9 @@ use std::fmt::Arguments;
 use std::path::PathBuf;
 
 use glam::{DVec2, DVec3, Vec3};
-use robust::{Coord, orient2d};
 
 use super::LoadedScene;
+use super::polygon::turn;
 use crate::decimal::Number;
 use crate::{BadInput, Error, Note, Rounding};
 use rayproof_scene::{Camera, Mesh, Scene, Sphere};
@@ -180,7 +180,7 @@ pub(crate) fn is_flat([a, b, c]: [DVec3; 3]) -> bool {
     let planes: [fn(DVec3) -> DVec2; 3] =
         [|p| DVec2::new(p.x, p.y), |p| DVec2::new(p.y, p.z), |p| DVec2::new(p.z, p.x)];
     planes.into_iter().all(|shadow| {
-        let [a, b, c] = [a, b, c].map(shadow).map(|p| Coord { x: p.x, y: p.y });
-        orient2d(a, b, c) == 0.0
+        let [a, b, c] = [a, b, c].map(shadow);
+        turn(a, b, c) == 0.0
     })
 }

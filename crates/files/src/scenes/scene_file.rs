@@ -87,11 +87,9 @@ struct SceneText<'a> {
 impl SceneText<'_> {
     fn geometry(&mut self, i: usize, entry: Entry) -> Result<Geometry, Error> {
         let Self { file, folder, .. } = *self;
-        let part = |value: &Spanned<Value>| value.span();
-        let (spheres_at, triangles_at) = (entry.spheres.as_ref().map(part), entry.triangles.as_ref().map(part));
-        match (entry.mesh, entry.spheres.map(Spanned::into_inner), entry.triangles.map(Spanned::into_inner)) {
+        match (&entry.mesh, &entry.spheres, &entry.triangles) {
             (Some(mesh), None, None) => {
-                let path = folder.join(&mesh);
+                let path = folder.join(mesh);
                 if ending(&path) == "toml" {
                     let place = format!("geometry {i} (counting from 0)");
                     let what = format!("mesh = \"{mesh}\" is a scene file");
@@ -99,7 +97,7 @@ impl SceneText<'_> {
                 }
                 load_mesh(&path, "give a mesh: .obj, .ply, .stl, .gltf or .glb", self.told).map(Geometry::Mesh)
             }
-            (None, Some(Value::String(table)), None) => {
+            (None, Some(value), None) if let Some(table) = value.get_ref().as_str() => {
                 let path = folder.join(table);
                 let name = path.display().to_string();
                 let reading = Reading::new(&name, self.told);
@@ -110,12 +108,10 @@ impl SceneText<'_> {
                 };
                 spheres.map(Geometry::Spheres)
             }
-            (None, Some(Value::Array(_)), None) => {
-                self.spheres(i, spheres_at.unwrap_or_default()).map(Geometry::Spheres)
+            (None, Some(rows), None) if rows.get_ref().is_array() => {
+                self.spheres(i, rows.span()).map(Geometry::Spheres)
             }
-            (None, None, Some(Value::Array(_))) => {
-                self.triangles(i, triangles_at.unwrap_or_default()).map(Geometry::Mesh)
-            }
+            (None, None, Some(rows)) if rows.get_ref().is_array() => self.triangles(i, rows.span()).map(Geometry::Mesh),
             (mesh, spheres, triangles) => {
                 let what = match [mesh.is_some(), spheres.is_some(), triangles.is_some()] {
                     [false, false, false] => "it has no `mesh`, no `spheres` and no `triangles`",

@@ -31,8 +31,6 @@ pub(super) struct CsvRays {
     input: BufReader<Input>,
     /// For each field of a line, its place in [`RAY_COLUMNS`], if it is of a ray.
     columns: Vec<Option<usize>>,
-    /// Whether the header was read: from there on a line that begins with `#` is a comment.
-    has_header: bool,
     /// What was read last.
     place: Place,
     text: Vec<u8>,
@@ -60,7 +58,6 @@ impl CsvRays {
             path: path.to_owned(),
             input,
             columns: Vec::new(),
-            has_header: false,
             place: Place::default(),
             text: Vec::new(),
             left: u64::MAX,
@@ -81,7 +78,6 @@ impl CsvRays {
             return Err(bad(what));
         }
         rays.columns = places(&names).map_err(bad)?;
-        rays.has_header = true;
         Ok(rays)
     }
 
@@ -103,7 +99,9 @@ impl CsvRays {
                 return Err(Error::bad(self.path.display().to_string(), self.line(), what, "give a CSV file of rays"));
             }
             let text = self.text.trim_ascii();
-            if !(text.is_empty() || self.has_header && text.starts_with(b"#")) {
+            // Before the header is read there are no columns, and a `#` may begin it.
+            let is_comment = !self.columns.is_empty() && text.starts_with(b"#");
+            if !(text.is_empty() || is_comment) {
                 return Ok(true);
             }
         }
