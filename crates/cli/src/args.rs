@@ -111,6 +111,10 @@ pub(crate) struct Intersect {
     #[command(flatten)]
     pub(crate) place: Place,
 
+    /// Pass these columns of the rays (.csv, .parquet) on to HITS (.csv, .parquet), after its own: an id, a weight
+    #[arg(long, value_name = "COLUMNS", value_delimiter = ',')]
+    pub(crate) keep: Vec<String>,
+
     /// Answer only the I-th (from 0) of N contiguous shares of the rays; the shares' hits, joined, are the whole. A bad ray is
     /// the fault of the share that holds it
     #[arg(long, value_name = "I/N")]

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use rayproof::files::{Format, HitWriter, RayReader};
+use rayproof::files::{Format, HitWriter, KeptColumns, RayReader};
 use rayproof::scene::{Hit, Scene};
 use rayproof::stream::{Checked, Done, Job, Shard};
 use rayproof::{Intersector, Options, Precision};
@@ -30,18 +30,26 @@ pub(crate) fn run(args: &Intersect, started: Instant) -> Result<(), Failure> {
         return Err(Failure::new(Code::Usage, message));
     }
     let format = args.to.of_output(&args.output)?;
+    if format == Format::Npy && !args.keep.is_empty() {
+        let message =
+            "--keep: .npy has no place for columns of the rays; give -o a .csv or .parquet, or --to one of them";
+        return Err(Failure::new(Code::Usage, message));
+    }
     let loading = Instant::now();
-    let loaded = Loaded::read(&args.scene, &args.place)?;
+    let mut loaded = Loaded::read(&args.scene, &args.place)?;
     let load = loading.elapsed().as_secs_f64();
     target::is_no_input(&args.output, loaded.scene.sources.iter().chain([&args.rays]).map(PathBuf::as_path))?;
     let mut rays = args.shard.unwrap_or(Shard::WHOLE).open(&args.rays, args.invalid.into())?;
+    let kept = rays.keep(&args.keep)?;
+    let passed_over = rays.passed_over(&kept);
     rays.subtract(loaded.scene.origin);
     if args.place.rounding == OnRounding::Error {
         rays.refuse_shifts_beyond(loaded.harmless());
     }
     let options = Options { precision: args.precision, device: args.device.clone(), ..Options::default() };
     let engine = Intersector::new(&loaded.scene.scene, &options)?;
-    let run = Run { args, format, loaded, engine, started, load };
+    loaded.notes.extend(passed_over.map(|what| format!("{}: {what}; --keep passes columns on", args.rays.display())));
+    let run = Run { args, format, loaded, kept, engine, started, load };
     match args.query {
         Query::Closest => run.all::<Hit>(rays),
         Query::Any => run.all::<u8>(rays),
@@ -54,6 +62,7 @@ struct Run<'a> {
     args: &'a Intersect,
     format: Format,
     loaded: Loaded,
+    kept: KeptColumns,
     engine: Intersector,
     started: Instant,
     /// Seconds that loading the scene took.
@@ -82,7 +91,7 @@ impl Run<'_> {
         let total = rays.total();
         // Until the file has its name, or is gone, there is something to clean up.
         let _writing = Writing::begin();
-        let hits = HitWriter::create(&self.args.output, Some(self.format), A::KIND, total)?;
+        let hits = HitWriter::create(&self.args.output, Some(self.format), A::KIND, total, &self.kept)?;
         let progress = Progress::new("tracing", total, self.args.quiet);
         let job = Job { engine: &self.engine, samples: self.args.check };
         job.run(rays, hits, interrupt::check, |rays| progress.add(rays))

@@ -21,4 +21,4 @@ pub use scenes::{LoadedScene, Origin, load, load_at};
 pub use survey::{Survey, Tally};
 // What a reader is told to do with bad rays.
 pub use rayproof_scene::{INVALID_RAY, InvalidRays};
-pub use tables::{Format, HitKind, HitWriter, RayReader, RayWriter};
+pub use tables::{Format, HitKind, HitWriter, Kept, KeptColumns, RayReader, RayWriter};

@@ -1,4 +1,4 @@
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
@@ -23,6 +23,10 @@ impl Admission {
     pub(super) fn new(path: PathBuf, policy: InvalidRays) -> Self {
         let (origin, most, rounding) = (DVec3::ZERO, f64::INFINITY, Rounding::default());
         Self { path, policy, origin, most, rounding, count: 0, first: None }
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
     }
 
     pub(super) const fn count(&self) -> u64 {

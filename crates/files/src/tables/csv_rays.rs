@@ -3,12 +3,14 @@
 //! Lines are split here and not by the csv crate: its line numbers are wrong after an empty line and for `\r\n`, and
 //! a message that names the wrong line is worse than none. A table of numbers needs no more than commas.
 
+use std::borrow::Cow;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::admission::Admission;
 use super::input::Input;
+use super::kept::{Kept, KeptColumns, Texts};
 use super::ray_reader::Source;
 use super::{DEFAULT_ROW, RAY_COLUMNS, places};
 use crate::decimal::Number;
@@ -29,8 +31,12 @@ const HEADER: &str = "give a first line with ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy
 pub(super) struct CsvRays {
     path: PathBuf,
     input: BufReader<Input>,
+    /// The columns' names.
+    names: Vec<String>,
     /// For each field of a line, its place in [`RAY_COLUMNS`], if it is of a ray.
     columns: Vec<Option<usize>>,
+    /// The columns that are kept, in the order asked for.
+    kept: Vec<usize>,
     /// What was read last.
     place: Place,
     text: Vec<u8>,
@@ -57,7 +63,9 @@ impl CsvRays {
         let mut rays = Self {
             path: path.to_owned(),
             input,
+            names: Vec::new(),
             columns: Vec::new(),
+            kept: Vec::new(),
             place: Place::default(),
             text: Vec::new(),
             left: u64::MAX,
@@ -67,7 +75,8 @@ impl CsvRays {
         let text = rays.text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&rays.text);
         // NumPy writes a header as a comment.
         let text = text.strip_prefix(b"#").unwrap_or(text);
-        let names: Vec<String> = fields(text).map(|name| String::from_utf8_lossy(name).into_owned()).collect();
+        let names: Vec<String> =
+            fields(text).map(|name| String::from_utf8_lossy(&name.text()).trim().to_owned()).collect();
         let bad = |what: String| Error::bad(path.display().to_string(), "line 1", what, HEADER);
         if !found {
             return Err(bad("there is no header, the file is empty".to_owned()));
@@ -78,6 +87,7 @@ impl CsvRays {
             return Err(bad(what));
         }
         rays.columns = places(&names).map_err(bad)?;
+        rays.names = names.into_iter().map(str::to_owned).collect();
         Ok(rays)
     }
 
@@ -132,6 +142,7 @@ impl CsvRays {
         for (i, field) in fields(&self.text).enumerate() {
             count += 1;
             let Some(&Some(column)) = self.columns.get(i) else { continue };
+            let field = field.raw.trim_ascii();
             values[column] = Number::parse_any(field).ok_or_else(|| {
                 (
                     format!("{} is {}, not a number", RAY_COLUMNS[column], quoted(field)),
@@ -146,6 +157,15 @@ impl CsvRays {
         Ok(values)
     }
 
+    /// Adds the current line's values of the columns that are kept.
+    fn keep_row(&self, kept: &mut Kept) {
+        if self.kept.is_empty() {
+            return;
+        }
+        let fields: Vec<Field<'_>> = fields(&self.text).collect();
+        kept.text.iter_mut().zip(&self.kept).for_each(|(texts, &i)| texts.push(&fields[i].text()));
+    }
+
     /// The error for the current line, once all malformed lines are counted.
     fn malformed(&mut self, (what, expected): Fault) -> Error {
         let place = self.line();
@@ -158,10 +178,29 @@ impl CsvRays {
 }
 
 impl Source for CsvRays {
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error> {
+    fn columns(&self) -> Vec<&str> {
+        self.names.iter().map(String::as_str).collect()
+    }
+
+    fn keep(&mut self, columns: &[usize]) -> Result<KeptColumns, Error> {
+        self.kept = columns.to_vec();
+        Ok(KeptColumns::text(columns.iter().map(|&i| self.names[i].clone()).collect()))
+    }
+
+    fn fill(
+        &mut self,
+        rays: &mut Vec<Ray>,
+        kept: &mut Kept,
+        max: usize,
+        admission: &mut Admission,
+    ) -> Result<(), Error> {
+        kept.text.resize_with(self.kept.len(), Texts::default);
         while rays.len() < max && self.next_row()? {
             match self.parse() {
-                Ok(values) => rays.push(admission.admit(values, || self.line())),
+                Ok(values) => {
+                    rays.push(admission.admit(values, || self.line()));
+                    self.keep_row(kept);
+                }
                 Err(fault) => return Err(self.malformed(fault)),
             }
         }
@@ -206,10 +245,57 @@ impl Source for CsvRays {
     }
 }
 
-/// The fields of a line, without the spaces and the quotes around them.
-fn fields(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(|&byte| byte == b',').map(|field| {
-        let field = field.trim_ascii();
-        field.strip_prefix(b"\"").and_then(|field| field.strip_suffix(b"\"")).unwrap_or(field)
+/// A value in a line.
+struct Field<'a> {
+    /// As it stands there, without the quotes around it.
+    raw: &'a [u8],
+    quoted: bool,
+}
+
+impl Field<'_> {
+    /// What it says: a quote within quotes is written twice.
+    fn text(&self) -> Cow<'_, [u8]> {
+        if !(self.quoted && self.raw.contains(&b'"')) {
+            return self.raw.into();
+        }
+        let mut text = Vec::with_capacity(self.raw.len());
+        let mut bytes = self.raw.iter();
+        while let Some(&byte) = bytes.next() {
+            text.push(byte);
+            if byte == b'"' {
+                bytes.next();
+            }
+        }
+        text.into()
+    }
+}
+
+/// The fields of a line.
+fn fields(line: &[u8]) -> impl Iterator<Item = Field<'_>> {
+    let line = line.strip_suffix(b"\n").unwrap_or(line);
+    let mut rest = Some(line.strip_suffix(b"\r").unwrap_or(line));
+    std::iter::from_fn(move || {
+        let here = rest?;
+        let (field, after) = within_quotes(here).unwrap_or_else(|| {
+            let end = memchr::memchr(b',', here).unwrap_or(here.len());
+            (Field { raw: &here[..end], quoted: false }, &here[end..])
+        });
+        rest = after.strip_prefix(b",");
+        Some(field)
     })
+}
+
+/// A field that begins and ends with a quote, and what follows it; `None` where it does not.
+fn within_quotes(line: &[u8]) -> Option<(Field<'_>, &[u8])> {
+    let inner = line.trim_ascii_start().strip_prefix(b"\"")?;
+    let mut end = 0;
+    loop {
+        end += memchr::memchr(b'"', &inner[end..])?;
+        if inner.get(end + 1) != Some(&b'"') {
+            break;
+        }
+        end += 2;
+    }
+    let after = inner[end + 1..].trim_ascii_start();
+    (after.is_empty() || after[0] == b',').then_some((Field { raw: &inner[..end], quoted: true }, after))
 }

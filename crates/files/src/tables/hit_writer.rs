@@ -2,6 +2,7 @@ use std::path::Path;
 
 use super::BLOCK_ROWS;
 use super::format::Format;
+use super::kept::{Kept, KeptColumns};
 use super::table::{Kind, Layout, TableWriter};
 use crate::Error;
 use rayproof_scene::Hit;
@@ -18,7 +19,7 @@ pub enum HitKind {
 }
 
 impl HitKind {
-    fn layout(self) -> Layout {
+    fn layout(self, kept: KeptColumns) -> Layout {
         let columns = match self {
             Self::Closest => vec![
                 ("t", Kind::F32),
@@ -30,7 +31,7 @@ impl HitKind {
             Self::Any => vec![("hit", Kind::U8)],
             Self::Count => vec![("count", Kind::U32)],
         };
-        Layout { columns, matrix: false }
+        Layout { columns, kept, matrix: false }
     }
 }
 
@@ -45,15 +46,23 @@ pub struct HitWriter {
 }
 
 impl HitWriter {
-    /// Opens a file, or stdout for `-`.
+    /// Opens a file, or stdout for `-`. After the columns of the hits come those of the rays that are `kept`.
     ///
     /// Without a `format` the ending tells it; stdout gets `.npy`. `total` is the number of rows, if known: without
     /// it, rows for a pipe in `.npy` wait in a temporary file, because the header comes first.
     ///
     /// # Errors
-    /// [`Error::Bad`] where the ending is not known, [`Error::Io`] where the file cannot be created.
-    pub fn create(path: &Path, format: Option<Format>, kind: HitKind, total: Option<u64>) -> Result<Self, Error> {
-        Ok(Self { kind, table: TableWriter::create(path, format, kind.layout(), total)?, block: Vec::new() })
+    /// [`Error::Bad`] where the ending is not known, or where columns are kept that `.npy` has no place for or that have the name
+    /// of one of the hits'; [`Error::Io`] where the file cannot be created.
+    pub fn create(
+        path: &Path,
+        format: Option<Format>,
+        kind: HitKind,
+        total: Option<u64>,
+        kept: &KeptColumns,
+    ) -> Result<Self, Error> {
+        let table = TableWriter::create(path, format, kind.layout(kept.clone()), total)?;
+        Ok(Self { kind, table, block: Vec::new() })
     }
 
     /// Appends the closest hits.
@@ -62,15 +71,15 @@ impl HitWriter {
     /// [`Error::Io`] where writing fails.
     ///
     /// # Panics
-    /// When the writer is for another [`HitKind`].
-    pub fn write_closest(&mut self, hits: &[Hit]) -> Result<(), Error> {
-        self.expect(HitKind::Closest);
-        for hits in hits.chunks(BLOCK_ROWS) {
+    /// When the writer is for another [`HitKind`], or `kept` has not as many rows.
+    pub fn write_closest(&mut self, hits: &[Hit], kept: &Kept) -> Result<(), Error> {
+        self.expect(HitKind::Closest, hits.len(), kept);
+        for (hits, first) in blocks(hits) {
             self.block.clear();
             self.block.extend(hits.iter().flat_map(|&Hit { t, u, v, geometry, primitive }| {
                 bytes_of_row([t.to_bits(), u.to_bits(), v.to_bits(), geometry, primitive])
             }));
-            self.table.write(&self.block)?;
+            self.table.write(&self.block, kept, first)?;
         }
         Ok(())
     }
@@ -81,10 +90,10 @@ impl HitWriter {
     /// [`Error::Io`] where writing fails.
     ///
     /// # Panics
-    /// When the writer is for another [`HitKind`].
-    pub fn write_any(&mut self, hits: &[u8]) -> Result<(), Error> {
-        self.expect(HitKind::Any);
-        hits.chunks(BLOCK_ROWS).try_for_each(|hits| self.table.write(hits))
+    /// When the writer is for another [`HitKind`], or `kept` has not as many rows.
+    pub fn write_any(&mut self, hits: &[u8], kept: &Kept) -> Result<(), Error> {
+        self.expect(HitKind::Any, hits.len(), kept);
+        blocks(hits).try_for_each(|(hits, first)| self.table.write(hits, kept, first))
     }
 
     /// Appends how many crossings there were.
@@ -93,13 +102,13 @@ impl HitWriter {
     /// [`Error::Io`] where writing fails.
     ///
     /// # Panics
-    /// When the writer is for another [`HitKind`].
-    pub fn write_count(&mut self, counts: &[u32]) -> Result<(), Error> {
-        self.expect(HitKind::Count);
-        for counts in counts.chunks(BLOCK_ROWS) {
+    /// When the writer is for another [`HitKind`], or `kept` has not as many rows.
+    pub fn write_count(&mut self, counts: &[u32], kept: &Kept) -> Result<(), Error> {
+        self.expect(HitKind::Count, counts.len(), kept);
+        for (counts, first) in blocks(counts) {
             self.block.clear();
             self.block.extend(counts.iter().flat_map(|count| count.to_le_bytes()));
-            self.table.write(&self.block)?;
+            self.table.write(&self.block, kept, first)?;
         }
         Ok(())
     }
@@ -112,9 +121,15 @@ impl HitWriter {
         self.table.finish()
     }
 
-    fn expect(&self, kind: HitKind) {
+    fn expect(&self, kind: HitKind, rows: usize, kept: &Kept) {
         assert_eq!(self.kind, kind, "this writer is for another kind of hit");
+        kept.expect(self.table.kept(), rows);
     }
+}
+
+/// Pieces of [`BLOCK_ROWS`] at most, and the row that each starts with.
+fn blocks<T>(rows: &[T]) -> impl Iterator<Item = (&[T], usize)> {
+    rows.chunks(BLOCK_ROWS).zip((0..).step_by(BLOCK_ROWS))
 }
 
 /// The words of a row, little-endian.

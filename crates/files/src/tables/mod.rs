@@ -9,9 +9,12 @@ mod csv_rays;
 mod format;
 mod hit_writer;
 mod input;
+mod kept;
 pub(crate) mod npy;
 mod npy_rays;
 mod output;
+#[cfg(feature = "parquet")]
+mod parquet_claims;
 #[cfg(feature = "parquet")]
 mod parquet_rays;
 #[cfg(feature = "parquet")]
@@ -21,9 +24,12 @@ mod ray_writer;
 mod table;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "parquet")]
+mod thrift;
 
 pub use format::Format;
 pub use hit_writer::{HitKind, HitWriter};
+pub use kept::{Kept, KeptColumns};
 pub use ray_reader::RayReader;
 pub use ray_writer::RayWriter;
 

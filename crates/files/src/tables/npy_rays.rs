@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::admission::Admission;
 use super::input::Input;
+use super::kept::{Kept, KeptColumns};
 use super::npy::{Header, HeaderError};
 use super::ray_reader::Source;
 use super::{BLOCK_ROWS, DEFAULT_ROW};
@@ -128,7 +129,16 @@ impl NpyRays {
 }
 
 impl Source for NpyRays {
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error> {
+    fn columns(&self) -> Vec<&str> {
+        super::RAY_COLUMNS[..self.columns].to_vec()
+    }
+
+    fn keep(&mut self, _: &[usize]) -> Result<KeptColumns, Error> {
+        let what = ".npy rays have no columns to pass on";
+        Err(Error::bad(self.path.display().to_string(), "header", what, "give .csv or .parquet"))
+    }
+
+    fn fill(&mut self, rays: &mut Vec<Ray>, _: &mut Kept, max: usize, admission: &mut Admission) -> Result<(), Error> {
         while rays.len() < max && self.next < self.end {
             let left = usize::try_from(self.end - self.next).unwrap_or(usize::MAX);
             let rows = left.min(max - rays.len()).min(BLOCK_ROWS);

@@ -13,8 +13,9 @@ use parquet::arrow::arrow_reader::{
 use parquet::errors::ParquetError;
 
 use super::admission::Admission;
+use super::kept::{Kept, KeptColumns};
 use super::ray_reader::Source;
-use super::{BLOCK_ROWS, DEFAULT_ROW, RAY_COLUMNS, places};
+use super::{BLOCK_ROWS, DEFAULT_ROW, RAY_COLUMNS, parquet_claims, places};
 use crate::Error;
 use crate::decimal::Number;
 use rayproof_scene::Ray;
@@ -27,12 +28,14 @@ pub(super) struct ParquetRays {
     path: PathBuf,
     file: File,
     footer: ArrowReaderMetadata,
-    /// Which columns are read.
-    read: ProjectionMask,
+    /// For each column of the file, its place in [`RAY_COLUMNS`], if it is of a ray.
+    places: Vec<Option<usize>>,
+    /// The columns that are kept, in the order asked for.
+    kept: Vec<usize>,
     reader: ParquetRecordBatchReader,
-    /// For each column that is read, its place in [`RAY_COLUMNS`].
-    columns: Vec<usize>,
-    /// The block being handed on: its rows, and how many of them are gone.
+    /// The block being handed on, as it was read.
+    batch: RecordBatch,
+    /// Its rays, and how many of them are gone.
     block: Vec<[Number; 8]>,
     gone: usize,
     rows: u64,
@@ -48,27 +51,26 @@ impl ParquetRays {
     pub(super) fn open(path: &Path, file: File) -> Result<Self, Error> {
         let name = path.display().to_string();
         let broken = |error: String| broken(path, &error);
+        parquet_claims::footer(&file).map_err(broken)?;
         let footer = guarded(|| ArrowReaderMetadata::load(&file, ArrowReaderOptions::new())).map_err(broken)?;
-        let places = columns(footer.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
-        let columns = places.iter().copied().flatten().collect();
-        let read = ProjectionMask::roots(
-            footer.parquet_schema(),
-            places.iter().enumerate().filter_map(|(i, place)| place.map(|_| i)),
-        );
+        let places = ray_columns(footer.schema()).map_err(|what| Error::bad(&name, "schema", what, EXPECTED))?;
+        let read = columns_read(&footer, &places, &[]);
+        parquet_claims::pages(&file, footer.metadata(), &read).map_err(broken)?;
         let rows = footer.metadata().file_metadata().num_rows();
         let rows = u64::try_from(rows)
             .map_err(|_| Error::bad(&name, "footer", format!("it has {rows} rows"), "give a whole Parquet file"))?;
         let fields = footer.schema().fields().iter().zip(&places);
         let double =
             fields.filter(|(_, place)| place.is_some()).any(|(field, _)| *field.data_type() == DataType::Float64);
-        let reader = guarded(|| builder(&file, &footer, &read)?.build()).map_err(broken)?;
+        let reader = guarded(|| builder(&file, &footer, read)?.build()).map_err(broken)?;
         Ok(Self {
             path: path.to_owned(),
             file,
+            batch: RecordBatch::new_empty(footer.schema().clone()),
             footer,
-            read,
+            places,
+            kept: Vec::new(),
             reader,
-            columns,
             block: Vec::new(),
             gone: 0,
             rows,
@@ -88,13 +90,22 @@ impl ParquetRays {
         )
     }
 
+    /// The numbers of the columns that are read, in the order in which they come.
+    fn read(&self) -> Vec<usize> {
+        (0..self.places.len()).filter(|i| self.places[*i].is_some() || self.kept.contains(i)).collect()
+    }
+
     /// Reads the next block; `false` at the end.
     fn next_block(&mut self) -> Result<bool, Error> {
         self.block.clear();
         self.gone = 0;
         let reader = &mut self.reader;
         match guarded(|| reader.next().transpose()) {
-            Ok(Some(batch)) => self.convert(&batch).map(|()| true),
+            Ok(Some(batch)) => {
+                self.convert(&batch)?;
+                self.batch = batch;
+                Ok(true)
+            }
             Err(error) => Err(self.bad(format!("it cannot be read: {error}"))),
             Ok(None) if self.next == self.end => Ok(false),
             Ok(None) => Err(self.bad(format!("the data ends here; the footer promises {} rows", self.rows))),
@@ -103,7 +114,9 @@ impl ParquetRays {
 
     fn convert(&mut self, batch: &RecordBatch) -> Result<(), Error> {
         self.block.resize(batch.num_rows(), DEFAULT_ROW.map(Number::from));
-        for (array, &column) in batch.columns().iter().zip(&self.columns) {
+        let read = self.read();
+        for (array, i) in batch.columns().iter().zip(read) {
+            let Some(column) = self.places[i] else { continue };
             if array.null_count() > 0 {
                 let row = (0..array.len()).find(|&i| array.is_null(i)).unwrap_or(0);
                 self.next += row as u64;
@@ -119,10 +132,41 @@ impl ParquetRays {
         }
         Ok(())
     }
+
+    /// Adds the next rows of the block, of the columns that are kept.
+    fn keep_rows(&self, kept: &mut Kept, rows: usize) -> Result<(), Error> {
+        if self.kept.is_empty() || rows == 0 {
+            return Ok(());
+        }
+        let read = self.read();
+        let among: Vec<usize> = self.kept.iter().filter_map(|column| read.iter().position(|i| i == column)).collect();
+        let columns = self.batch.project(&among).map_err(|error| self.bad(error.to_string()))?;
+        kept.arrays.push(columns.slice(self.gone, rows));
+        Ok(())
+    }
 }
 
 impl Source for ParquetRays {
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error> {
+    fn columns(&self) -> Vec<&str> {
+        self.footer.schema().fields().iter().map(|field| field.name().as_str()).collect()
+    }
+
+    fn keep(&mut self, columns: &[usize]) -> Result<KeptColumns, Error> {
+        self.kept = columns.to_vec();
+        let read = columns_read(&self.footer, &self.places, columns);
+        let broken = |error: String| broken(&self.path, &error);
+        parquet_claims::pages(&self.file, self.footer.metadata(), &read).map_err(broken)?;
+        self.reader = guarded(|| builder(&self.file, &self.footer, read)?.build()).map_err(broken)?;
+        Ok(KeptColumns::typed(columns.iter().map(|&i| self.footer.schema().fields()[i].clone()).collect()))
+    }
+
+    fn fill(
+        &mut self,
+        rays: &mut Vec<Ray>,
+        kept: &mut Kept,
+        max: usize,
+        admission: &mut Admission,
+    ) -> Result<(), Error> {
         while rays.len() < max {
             if self.gone == self.block.len() && !self.next_block()? {
                 break;
@@ -133,6 +177,7 @@ impl Source for ParquetRays {
                 rays.push(admission.admit(row, || format!("row {next} (counting from 0{note})")));
                 self.next += 1;
             }
+            self.keep_rows(kept, rows)?;
             self.gone += rows;
         }
         Ok(())
@@ -157,8 +202,9 @@ impl Source for ParquetRays {
         }
         let of_groups = [offset, rows.end - rows.start].map(usize::try_from);
         let [Ok(offset), Ok(limit)] = of_groups else { return Err(broken(&self.path, "it holds more than memory")) };
+        let read = columns_read(&self.footer, &self.places, &self.kept);
         let select = || {
-            builder(&self.file, &self.footer, &self.read)?
+            builder(&self.file, &self.footer, read)?
                 .with_row_groups(groups)
                 .with_offset(offset)
                 .with_limit(limit)
@@ -170,14 +216,20 @@ impl Source for ParquetRays {
     }
 }
 
+/// Which columns are read: those of a ray, and those that are kept.
+fn columns_read(footer: &ArrowReaderMetadata, places: &[Option<usize>], kept: &[usize]) -> ProjectionMask {
+    let read = (0..places.len()).filter(|i| places[*i].is_some() || kept.contains(i));
+    ProjectionMask::roots(footer.parquet_schema(), read)
+}
+
 /// A reader of a file whose footer was read.
 fn builder(
     file: &File,
     footer: &ArrowReaderMetadata,
-    read: &ProjectionMask,
+    read: ProjectionMask,
 ) -> Result<ParquetRecordBatchReaderBuilder<File>, ParquetError> {
     let builder = ParquetRecordBatchReaderBuilder::new_with_metadata(file.try_clone()?, footer.clone());
-    Ok(builder.with_batch_size(BLOCK_ROWS).with_projection(read.clone()))
+    Ok(builder.with_batch_size(BLOCK_ROWS).with_projection(read))
 }
 
 fn broken(path: &Path, error: &str) -> Error {
@@ -195,7 +247,7 @@ fn guarded<T, E: Display>(read: impl FnOnce() -> Result<T, E>) -> Result<T, Stri
 }
 
 /// For each column of the file its place in [`RAY_COLUMNS`], if it is of a ray; or what is wrong.
-fn columns(schema: &Schema) -> Result<Vec<Option<usize>>, String> {
+fn ray_columns(schema: &Schema) -> Result<Vec<Option<usize>>, String> {
     let names: Vec<&str> = schema.fields().iter().map(|field| field.name().as_str()).collect();
     let places = places(&names)?;
     for (field, _) in schema.fields().iter().zip(&places).filter(|(_, place)| place.is_some()) {

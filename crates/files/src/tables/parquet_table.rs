@@ -2,12 +2,13 @@ use std::io;
 use std::sync::Arc;
 
 use arrow::array::{ArrayRef, Float32Array, RecordBatch, UInt8Array, UInt32Array};
-use arrow::datatypes::{DataType, Field, Schema};
+use arrow::datatypes::{DataType, Field, FieldRef, Schema};
 use parquet::arrow::ArrowWriter;
 use parquet::basic::Compression;
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
 
+use super::kept::Kept;
 use super::output::Output;
 use super::table::{Kind, Layout};
 
@@ -20,20 +21,22 @@ pub(super) struct ParquetTable {
 impl ParquetTable {
     pub(super) fn new(layout: &Layout, output: Output) -> io::Result<Self> {
         let fields = layout.columns.iter().map(|&(name, kind)| Field::new(name, data_type(kind), false));
+        let fields = fields.map(FieldRef::from).chain(layout.kept.fields());
         let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
         let properties = WriterProperties::builder().set_compression(Compression::SNAPPY).build();
         let writer = ArrowWriter::try_new(output, Arc::clone(&schema), Some(properties)).map_err(io_error)?;
         Ok(Self { writer, schema })
     }
 
-    /// Appends whole rows.
-    pub(super) fn write(&mut self, layout: &Layout, rows: &[u8]) -> io::Result<()> {
+    /// Appends whole rows, and those of `kept` from `first`.
+    pub(super) fn write(&mut self, layout: &Layout, rows: &[u8], kept: &Kept, first: usize) -> io::Result<()> {
         let mut offset = 0;
         let mut columns = Vec::with_capacity(layout.columns.len());
         for (_, kind) in &layout.columns {
             columns.push(column(*kind, rows, layout.row_bytes(), offset));
             offset += kind.bytes();
         }
+        columns.extend(kept.columns(first, first + rows.len() / layout.row_bytes())?);
         let batch = RecordBatch::try_new(Arc::clone(&self.schema), columns).map_err(io::Error::other)?;
         self.writer.write(&batch).map_err(io_error)
     }

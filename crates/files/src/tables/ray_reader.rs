@@ -7,15 +7,30 @@ use super::admission::Admission;
 use super::csv_rays::CsvRays;
 use super::format::{Format, is_standard_stream};
 use super::input::Input;
+use super::kept::{Kept, KeptColumns};
 use super::npy_rays::NpyRays;
 use crate::gzip::{unpacked_name, unpacking};
+use crate::quote::quoted;
 use crate::{Error, Rounding};
 use rayproof_scene::{InvalidRays, Ray};
 
 /// A table of rays in one format.
 pub(super) trait Source: Send {
-    /// Appends the next rays until there are `max` or the table ends. Rays before an error are appended.
-    fn fill(&mut self, rays: &mut Vec<Ray>, max: usize, admission: &mut Admission) -> Result<(), Error>;
+    /// Appends the next rays, and the values of the columns that are kept, until there are `max` or the table ends. Rays before
+    /// an error are appended.
+    fn fill(
+        &mut self,
+        rays: &mut Vec<Ray>,
+        kept: &mut Kept,
+        max: usize,
+        admission: &mut Admission,
+    ) -> Result<(), Error>;
+
+    /// The names of all its columns.
+    fn columns(&self) -> Vec<&str>;
+
+    /// Keeps the columns of these numbers. Asked before the first `fill` and before `select`.
+    fn keep(&mut self, columns: &[usize]) -> Result<KeptColumns, Error>;
 
     /// The rows of the whole table, where its header tells.
     fn total(&self) -> Option<u64>;
@@ -38,6 +53,8 @@ pub struct RayReader {
     admission: Admission,
     /// How many rows were selected, if any were.
     selected: Option<u64>,
+    /// Of the last batch.
+    kept: Kept,
 }
 
 impl RayReader {
@@ -71,7 +88,11 @@ impl RayReader {
             Format::Csv => Box::new(CsvRays::open(path, Input::File(file))?),
             Format::Parquet => parquet(path, file)?,
         };
-        Ok(Self { source, admission: Admission::new(path.to_owned(), invalid), selected: None })
+        Ok(Self::new(path, source, invalid))
+    }
+
+    fn new(path: &Path, source: Box<dyn Source>, invalid: InvalidRays) -> Self {
+        Self { source, admission: Admission::new(path.to_owned(), invalid), selected: None, kept: Kept::default() }
     }
 
     /// Reads from a pipe of unknown length; errors call it `path`.
@@ -84,19 +105,28 @@ impl RayReader {
         let io_error = |source| Error::Io { path: path.to_owned(), source };
         let mut head = Vec::new();
         (&mut pipe).take(6).read_to_end(&mut head).map_err(io_error)?;
-        let format = format.unwrap_or_else(|| Format::sniff(&head));
+        let sniffed = Format::sniff(&head);
+        let format = format.unwrap_or(sniffed);
         let mut input = Input::Pipe(Box::new(Cursor::new(head).chain(pipe)));
         let source: Box<dyn Source> = match format {
             Format::Npy => Box::new(NpyRays::open(path, input, None)?),
             Format::Csv => Box::new(CsvRays::open(path, input)?),
-            // A Parquet file is read from its end: a pipe has to be stored first.
+            // A Parquet file is read from its end: a pipe has to be stored first, if it is one.
+            #[cfg(not(feature = "parquet"))]
+            Format::Parquet => return Err(super::format::no_parquet(path)),
+            #[cfg(feature = "parquet")]
+            Format::Parquet if sniffed != format => {
+                let what = "it does not start as a Parquet file does";
+                return Err(Error::bad(path.display().to_string(), "header", what, "give a whole Parquet file"));
+            }
+            #[cfg(feature = "parquet")]
             Format::Parquet => {
                 let mut file = tempfile::tempfile().map_err(io_error)?;
                 io::copy(&mut input, &mut file).map_err(io_error)?;
                 parquet(path, file)?
             }
         };
-        Ok(Self { source, admission: Admission::new(path.to_owned(), invalid), selected: None })
+        Ok(Self::new(path, source, invalid))
     }
 
     /// How many rows there are in all: what the header says, else counted by going through a file once, without a look at the
@@ -133,19 +163,65 @@ impl RayReader {
     /// reader is spent.
     pub fn next_batch(&mut self, rays: &mut Vec<Ray>, max: usize) -> Result<usize, Error> {
         rays.clear();
-        let filled = self.source.fill(rays, max, &mut self.admission);
+        self.kept.clear();
+        let filled = self.source.fill(rays, &mut self.kept, max, &mut self.admission);
         // A bad ray comes before whatever ended the batch, so it is the first thing wrong.
         if self.admission.stops() {
             let mut more = filled.is_ok() && !rays.is_empty();
             while more {
                 rays.clear();
-                more = self.source.fill(rays, super::BLOCK_ROWS, &mut self.admission).is_ok() && !rays.is_empty();
+                self.kept.clear();
+                let filled = self.source.fill(rays, &mut self.kept, super::BLOCK_ROWS, &mut self.admission);
+                more = filled.is_ok() && !rays.is_empty();
             }
             rays.clear();
             return self.admission.error().map_or(Ok(0), Err);
         }
         filled?;
         Ok(rays.len())
+    }
+
+    /// Reads these columns, too, to be passed on to the hits ([`take_kept`](Self::take_kept)), in this order.
+    ///
+    /// To be called before the first batch and before [`select`](Self::select).
+    ///
+    /// # Errors
+    /// [`Error::Bad`] where the table has no such column, or has it twice, or is `.npy`.
+    pub fn keep(&mut self, names: &[String]) -> Result<KeptColumns, Error> {
+        if names.is_empty() {
+            return Ok(KeptColumns::default());
+        }
+        let there = self.source.columns();
+        let place = |name: &String| {
+            let mut places = there.iter().enumerate().filter(|(_, column)| *column == name).map(|(i, _)| i);
+            let what = match (places.next(), places.next()) {
+                (Some(place), None) => return Ok(place),
+                (None, _) => format!("there is no column {}", quoted(name)),
+                _ => format!("the column {} is there twice", quoted(name)),
+            };
+            let expected = format!("keep some of {}", quoted(there.join(",")));
+            Err(Error::bad(self.admission.path().display().to_string(), "header", what, expected))
+        };
+        let columns = names.iter().map(place).collect::<Result<Vec<_>, _>>()?;
+        self.source.keep(&columns)
+    }
+
+    /// The table's columns that are neither of a ray nor kept, as a message says it; `None` where there are none.
+    #[must_use]
+    pub fn passed_over(&self, kept: &KeptColumns) -> Option<String> {
+        let is_kept = |name: &&str| kept.names().iter().any(|kept| kept == name);
+        let of_rays = |name: &&str| super::RAY_COLUMNS.iter().any(|column| column.eq_ignore_ascii_case(name));
+        let names: Vec<&str> = self.source.columns().into_iter().filter(|n| !of_rays(n) && !is_kept(n)).collect();
+        match &names[..] {
+            [] => None,
+            [name] => Some(format!("the column {} is passed over", quoted(name))),
+            names => Some(format!("the columns {} are passed over", quoted(names.join(",")))),
+        }
+    }
+
+    /// Swaps `kept` for the values of the last batch's columns that are kept.
+    pub fn take_kept(&mut self, kept: &mut Kept) {
+        std::mem::swap(&mut self.kept, kept);
     }
 
     /// How many rays it will have handed on at its end: those selected, else what the header says; `None` for a whole CSV table.

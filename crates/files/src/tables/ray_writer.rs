@@ -1,6 +1,7 @@
 use std::path::Path;
 
 use super::format::Format;
+use super::kept::{Kept, KeptColumns};
 use super::table::{Kind, Layout, TableWriter};
 use super::{BLOCK_ROWS, RAY_COLUMNS, row_of};
 use crate::Error;
@@ -27,7 +28,11 @@ impl RayWriter {
     /// [`Error::Bad`] where the ending is not known, [`Error::Io`] where the file cannot be created.
     pub fn create(path: &Path, format: Option<Format>, with_range: bool, total: Option<u64>) -> Result<Self, Error> {
         let columns = if with_range { 8 } else { 6 };
-        let layout = Layout { columns: RAY_COLUMNS[..columns].iter().map(|&c| (c, Kind::F32)).collect(), matrix: true };
+        let layout = Layout {
+            columns: RAY_COLUMNS[..columns].iter().map(|&c| (c, Kind::F32)).collect(),
+            kept: KeptColumns::default(),
+            matrix: true,
+        };
         Ok(Self { table: TableWriter::create(path, format, layout, total)?, columns, block: Vec::new() })
     }
 
@@ -42,7 +47,7 @@ impl RayWriter {
                 let row = row_of(ray).map(f32::to_le_bytes);
                 self.block.extend_from_slice(row[..self.columns].as_flattened());
             }
-            self.table.write(&self.block)?;
+            self.table.write(&self.block, &Kept::default(), 0)?;
         }
         Ok(())
     }

@@ -2,10 +2,12 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::format::{Format, is_standard_stream};
+use super::kept::{Kept, KeptColumns, write_field};
 use super::output::Output;
 #[cfg(feature = "parquet")]
 use super::parquet_table::ParquetTable;
 use crate::Error;
+use crate::quote::quoted;
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +39,8 @@ impl Kind {
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub(super) columns: Vec<(&'static str, Kind)>,
+    /// What of the rays follows them.
+    pub(super) kept: KeptColumns,
     /// Whether `.npy` holds a matrix of one type, shape `(N, columns)`; else named fields, shape `(N,)`.
     pub(super) matrix: bool,
 }
@@ -44,6 +48,22 @@ pub(super) struct Layout {
 impl Layout {
     pub(super) fn row_bytes(&self) -> usize {
         self.columns.iter().map(|(_, kind)| kind.bytes()).sum()
+    }
+
+    /// Whether there is a place for the columns that are kept; else what is wrong, and what would be right.
+    fn can_keep(&self, format: Format) -> Result<(), [String; 2]> {
+        let names = self.kept.names();
+        if format == Format::Npy && !names.is_empty() {
+            return Err([".npy has no place for them".into(), "write .csv or .parquet".into()]);
+        }
+        let taken =
+            |(i, name): (usize, &String)| self.columns.iter().any(|(own, _)| own == name) || names[..i].contains(name);
+        match names.iter().enumerate().find(|&column| taken(column)) {
+            Some((_, name)) => {
+                Err([format!("there would be two columns {}", quoted(name)), "give it another name".into()])
+            }
+            None => Ok(()),
+        }
     }
 
     fn npy_header(&self, rows: u64) -> Vec<u8> {
@@ -92,6 +112,9 @@ impl TableWriter {
         if format == Format::Parquet {
             return Err(super::format::no_parquet(path));
         }
+        layout.can_keep(format).map_err(|[what, expected]| {
+            Error::bad(path.display().to_string(), "the columns that are kept", what, expected)
+        })?;
         let io_error = |source| Error::Io { path: path.to_owned(), source };
         // The header of .npy holds the number of rows: in a pipe it must be known at once, or the rows must wait.
         let output = Output::create(path, format == Format::Npy && total.is_none()).map_err(io_error)?;
@@ -113,7 +136,9 @@ impl TableWriter {
             }
             Format::Csv => {
                 let names: Vec<&str> = layout.columns.iter().map(|(name, _)| *name).collect();
-                writeln!(output, "{}", names.join(","))?;
+                output.write_all(names.join(",").as_bytes())?;
+                layout.kept.names().iter().try_for_each(|name| write_field(&mut output, name.as_bytes()))?;
+                output.write_all(b"\n")?;
                 Encoder::Csv(output)
             }
             #[cfg(feature = "parquet")]
@@ -124,20 +149,31 @@ impl TableWriter {
         Ok(Self { path: path.to_owned(), layout, encoder, rows: 0, total })
     }
 
-    /// Appends whole rows, [`BLOCK_ROWS`](super::BLOCK_ROWS) at most, so that memory is bounded.
-    pub(super) fn write(&mut self, rows: &[u8]) -> Result<(), Error> {
+    /// Appends whole rows, [`BLOCK_ROWS`](super::BLOCK_ROWS) at most, so that memory is bounded, and the rows of `kept` from `first`.
+    pub(super) fn write(&mut self, rows: &[u8], kept: &Kept, first: usize) -> Result<(), Error> {
         let row_bytes = self.layout.row_bytes();
         assert!(rows.len().is_multiple_of(row_bytes), "{} bytes are no whole rows of {row_bytes}", rows.len());
         self.rows += (rows.len() / row_bytes) as u64;
         let written = match &mut self.encoder {
             Encoder::Npy(output) => output.write_all(rows),
             Encoder::Csv(output) => {
-                rows.chunks_exact(row_bytes).try_for_each(|row| write_line(output, &self.layout.columns, row))
+                let mut rows = rows.chunks_exact(row_bytes).enumerate();
+                kept.lines().and_then(|kept| {
+                    rows.try_for_each(|(i, row)| {
+                        write_row(output, &self.layout.columns, row)?;
+                        kept.write(output, first + i)?;
+                        output.write_all(b"\n")
+                    })
+                })
             }
             #[cfg(feature = "parquet")]
-            Encoder::Parquet(table) => table.write(&self.layout, rows),
+            Encoder::Parquet(table) => table.write(&self.layout, rows, kept, first),
         };
         written.map_err(|source| Error::Io { path: self.path.clone(), source })
+    }
+
+    pub(super) const fn kept(&self) -> &KeptColumns {
+        &self.layout.kept
     }
 
     /// Completes the file and gives it its name.
@@ -164,8 +200,8 @@ impl TableWriter {
     }
 }
 
-/// Writes one row as text, each `f32` in the fewest digits that read back to the same bits.
-fn write_line(output: &mut Output, columns: &[(&'static str, Kind)], row: &[u8]) -> io::Result<()> {
+/// Writes one row as text without an end, each `f32` in the fewest digits that read back to the same bits.
+fn write_row(output: &mut Output, columns: &[(&'static str, Kind)], row: &[u8]) -> io::Result<()> {
     let mut rest = row;
     for (i, (_, kind)) in columns.iter().enumerate() {
         let (value, after) = rest.split_at(kind.bytes());
@@ -179,5 +215,5 @@ fn write_line(output: &mut Output, columns: &[(&'static str, Kind)], row: &[u8])
             (_, bytes) => write!(output, "{}", bytes[0])?,
         }
     }
-    output.write_all(b"\n")
+    Ok(())
 }

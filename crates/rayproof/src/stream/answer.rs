@@ -1,4 +1,4 @@
-use rayproof_files::{self as files, HitKind, HitWriter};
+use rayproof_files::{self as files, HitKind, HitWriter, Kept};
 use rayproof_scene::{Hit, Ray, Undecided};
 
 use crate::{Error, Intersector};
@@ -16,11 +16,11 @@ pub trait Answer: Copy + Send + Sync + 'static {
     /// As the question of [`Intersector`] that it asks.
     fn trace(engine: &Intersector, rays: &[Ray], answers: &mut [Self]) -> Result<Undecided, Error>;
 
-    /// Appends answers to a file of [`KIND`](Self::KIND).
+    /// Appends answers to a file of [`KIND`](Self::KIND), and what is kept of their rays.
     ///
     /// # Errors
     /// When writing fails.
-    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error>;
+    fn write(writer: &mut HitWriter, answers: &[Self], kept: &Kept) -> Result<(), files::Error>;
 
     /// Whether the ray hits anything.
     fn is_hit(&self) -> bool;
@@ -34,8 +34,8 @@ impl Answer for Hit {
         engine.closest(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error> {
-        writer.write_closest(answers)
+    fn write(writer: &mut HitWriter, answers: &[Self], kept: &Kept) -> Result<(), files::Error> {
+        writer.write_closest(answers, kept)
     }
 
     fn is_hit(&self) -> bool {
@@ -52,8 +52,8 @@ impl Answer for u8 {
         engine.any(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error> {
-        writer.write_any(answers)
+    fn write(writer: &mut HitWriter, answers: &[Self], kept: &Kept) -> Result<(), files::Error> {
+        writer.write_any(answers, kept)
     }
 
     fn is_hit(&self) -> bool {
@@ -70,8 +70,8 @@ impl Answer for u32 {
         engine.count(rays, answers)
     }
 
-    fn write(writer: &mut HitWriter, answers: &[Self]) -> Result<(), files::Error> {
-        writer.write_count(answers)
+    fn write(writer: &mut HitWriter, answers: &[Self], kept: &Kept) -> Result<(), files::Error> {
+        writer.write_count(answers, kept)
     }
 
     fn is_hit(&self) -> bool {

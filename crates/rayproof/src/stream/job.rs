@@ -63,14 +63,18 @@ impl Job<'_> {
         let mut undecided = Undecided::default();
         let (rays, traced) = pipeline::run(
             rays,
-            |reader, rays| Ok(reader.next_batch(rays, BATCH).map(|_| ())?),
+            |reader, rays, kept| {
+                reader.next_batch(rays, BATCH)?;
+                reader.take_kept(kept);
+                Ok(())
+            },
             A::MISS,
             |rays, answers| {
                 undecided += A::trace(self.engine, rays, answers)?;
                 Ok(())
             },
-            |first, rays, answers| {
-                A::write(&mut hits, answers)?;
+            |first, rays, kept, answers| {
+                A::write(&mut hits, answers, kept)?;
                 sampler.take(first, rays, answers);
                 hit += answers.iter().filter(|answer| answer.is_hit()).count() as u64;
                 progress(rays.len());

@@ -9,7 +9,7 @@
 //! use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 //!
 //! use glam::Vec3;
-//! use rayproof::files::{HitKind, HitWriter, InvalidRays, RayWriter};
+//! use rayproof::files::{HitKind, HitWriter, InvalidRays, KeptColumns, RayWriter};
 //! use rayproof::scene::{Geometry, Hit, Ray, Scene, Sphere};
 //! use rayproof::stream::{Job, Shard};
 //! use rayproof::{DeviceChoice, Intersector, Options};
@@ -26,7 +26,8 @@
 //! writer.finish()?;
 //!
 //! let reader = Shard::WHOLE.open(&rays, InvalidRays::Error)?;
-//! let hits = HitWriter::create(&folder.path().join("hits.npy"), None, HitKind::Closest, reader.total())?;
+//! let (path, kept) = (folder.path().join("hits.npy"), KeptColumns::default());
+//! let hits = HitWriter::create(&path, None, HitKind::Closest, reader.total(), &kept)?;
 //! let (stop, traced) = (AtomicBool::new(false), AtomicUsize::new(0));
 //! let job = Job { engine: &engine, samples: 1 };
 //! let go_on = || if stop.load(Relaxed) { Err("cancelled".into()) } else { Ok(()) };

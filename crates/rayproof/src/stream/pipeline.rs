@@ -7,6 +7,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use rayproof_files::Kept;
 use rayproof_scene::Ray;
 
 /// One being read, one traced, one written, and one waiting.
@@ -16,6 +17,8 @@ struct Batch<A> {
     /// The number of its first ray.
     first: u64,
     rays: Vec<Ray>,
+    /// What the answers are to have of the rays' other columns.
+    kept: Kept,
     answers: Vec<A>,
 }
 
@@ -29,15 +32,15 @@ pub(super) struct Traced {
 
 /// Runs the pipeline until `read` leaves a batch empty, and gives the source back.
 ///
-/// `read` fills an empty vector from the source. `trace` gets rays and as many answers, all `miss`, to fill. `write` gets the
-/// number of the first ray, the rays and the answers. `go_on` is asked before each batch, and while the reader is waited for ten
+/// `read` fills an empty vector from the source, and what is kept of its rays. `trace` gets rays and as many answers, all `miss`,
+/// to fill. `write` gets the number of the first ray, the rays, what is kept of them and the answers. `go_on` is asked before each batch, and while the reader is waited for ten
 /// times a second. The first failure of any of the four ends the run.
 pub(super) fn run<S, A, E>(
     source: S,
-    read: impl FnMut(&mut S, &mut Vec<Ray>) -> Result<(), E> + Send + 'static,
+    read: impl FnMut(&mut S, &mut Vec<Ray>, &mut Kept) -> Result<(), E> + Send + 'static,
     miss: A,
     trace: impl FnMut(&[Ray], &mut [A]) -> Result<(), E>,
-    write: impl FnMut(u64, &[Ray], &[A]) -> Result<(), E> + Send,
+    write: impl FnMut(u64, &[Ray], &Kept, &[A]) -> Result<(), E> + Send,
     go_on: impl FnMut() -> Result<(), E>,
 ) -> Result<(S, Traced), E>
 where
@@ -49,7 +52,7 @@ where
     let (read_in, read_out) = mpsc::sync_channel(BATCHES);
     let (done_in, done_out) = mpsc::sync_channel(BATCHES);
     for _ in 0..BATCHES {
-        let _ = free_in.send(Batch { first: 0, rays: Vec::new(), answers: Vec::new() });
+        let _ = free_in.send(Batch { first: 0, rays: Vec::new(), kept: Kept::default(), answers: Vec::new() });
     }
     // Not scoped: a read from a silent stdin cannot be broken off, and must not keep an interrupted run alive.
     let reader = thread::spawn(move || read_all(source, read, &free_out, &read_in));
@@ -66,7 +69,7 @@ where
 
 fn read_all<S, A, E>(
     mut source: S,
-    mut read: impl FnMut(&mut S, &mut Vec<Ray>) -> Result<(), E>,
+    mut read: impl FnMut(&mut S, &mut Vec<Ray>, &mut Kept) -> Result<(), E>,
     free: &Receiver<Batch<A>>,
     out: &SyncSender<Result<Batch<A>, E>>,
 ) -> S {
@@ -74,7 +77,7 @@ fn read_all<S, A, E>(
     while let Ok(mut batch) = free.recv() {
         batch.rays.clear();
         batch.first = first;
-        let message = read(&mut source, &mut batch.rays).map(|()| batch);
+        let message = read(&mut source, &mut batch.rays, &mut batch.kept).map(|()| batch);
         let last = message.as_ref().map_or(true, |batch| batch.rays.is_empty());
         first += message.as_ref().map_or(0, |batch| batch.rays.len() as u64);
         if out.send(message).is_err() || last {
@@ -119,12 +122,12 @@ fn trace_all<A: Copy, E>(
 }
 
 fn write_all<A, E>(
-    mut write: impl FnMut(u64, &[Ray], &[A]) -> Result<(), E>,
+    mut write: impl FnMut(u64, &[Ray], &Kept, &[A]) -> Result<(), E>,
     input: &Receiver<Batch<A>>,
     free: &SyncSender<Batch<A>>,
 ) -> Result<(), E> {
     while let Ok(batch) = input.recv() {
-        write(batch.first, &batch.rays, &batch.answers)?;
+        write(batch.first, &batch.rays, &batch.kept, &batch.answers)?;
         // The reader may be through already.
         let _ = free.send(batch);
     }
@@ -147,8 +150,12 @@ mod tests {
     }
 
     /// `0..total` in batches of `size`; fails at batch `fail`, counting from 0.
-    fn read(fail: Option<u64>, size: u64, total: u64) -> impl FnMut(&mut u64, &mut Vec<Ray>) -> Result<(), Failure> {
-        move |next, rays| {
+    fn read(
+        fail: Option<u64>,
+        size: u64,
+        total: u64,
+    ) -> impl FnMut(&mut u64, &mut Vec<Ray>, &mut Kept) -> Result<(), Failure> {
+        move |next, rays, _| {
             if fail == Some(*next / size) {
                 return Err("read");
             }
@@ -173,7 +180,7 @@ mod tests {
     fn every_ray_comes_out_once_in_order_and_the_source_comes_back() {
         for total in [0, 1, 10, 1003] {
             let mut seen = Vec::new();
-            let write = |first: u64, rays: &[Ray], answers: &[f32]| {
+            let write = |first: u64, rays: &[Ray], _: &Kept, answers: &[f32]| {
                 assert_eq!((first, rays.len()), (seen.len() as u64, answers.len()));
                 seen.extend_from_slice(answers);
                 Ok(())
@@ -186,7 +193,7 @@ mod tests {
 
     #[test]
     fn the_first_failure_of_any_stage_ends_the_run() {
-        let write = |_: u64, _: &[Ray], _: &[f32]| Ok(());
+        let write = |_: u64, _: &[Ray], _: &Kept, _: &[f32]| Ok(());
         let failure = run(0, read(Some(3), 10, 100), 0.0, double, write, go_on).unwrap_err();
         assert_eq!(failure, "read");
 
@@ -194,7 +201,7 @@ mod tests {
         let failure = run(0, read(None, 10, 1000), 0.0, trace, write, go_on).unwrap_err();
         assert_eq!(failure, "trace");
 
-        let write = |first: u64, _: &[Ray], _: &[f32]| match first {
+        let write = |first: u64, _: &[Ray], _: &Kept, _: &[f32]| match first {
             50 => Err("write"),
             _ => Ok(()),
         };
@@ -204,7 +211,7 @@ mod tests {
 
     #[test]
     fn a_run_that_is_cancelled_ends_between_batches_and_does_not_wait_for_a_silent_source() {
-        let write = |_: u64, _: &[Ray], _: &[f32]| Ok(());
+        let write = |_: u64, _: &[Ray], _: &Kept, _: &[f32]| Ok(());
         let mut batches = 0;
         let stop = || {
             batches += 1;
@@ -219,7 +226,7 @@ mod tests {
         assert_eq!(traced, 30);
 
         let (_silent, wait) = mpsc::channel::<()>();
-        let silent = move |_: &mut u64, _: &mut Vec<Ray>| wait.recv().map_err(|_| "hung up");
+        let silent = move |_: &mut u64, _: &mut Vec<Ray>, _: &mut Kept| wait.recv().map_err(|_| "hung up");
         assert_eq!(run(0, silent, 0.0, double, write, || Err("cancelled")).unwrap_err(), "cancelled");
     }
 }

@@ -4,6 +4,8 @@ mod csv;
 mod npy;
 #[cfg(feature = "parquet")]
 mod parquet;
+#[cfg(feature = "parquet")]
+mod parquet_claims;
 mod pipe;
 mod round_trip;
 mod select;

@@ -9,7 +9,7 @@ use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use parquet::file::properties::WriterProperties;
 
 use super::{bad, drain, read_file, some_rays};
-use crate::{HitKind, HitWriter, INVALID_RAY, InvalidRays, RayReader, RayWriter};
+use crate::{HitKind, HitWriter, INVALID_RAY, InvalidRays, Kept, KeptColumns, RayReader, RayWriter};
 use rayproof_scene::Hit;
 
 const NAMES: [&str; 6] = ["ox", "oy", "oz", "dx", "dy", "dz"];
@@ -118,8 +118,10 @@ fn a_file_cut_anywhere_is_bad() {
 fn hits_have_the_columns_of_the_contract() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("hits.parquet");
-    let mut writer = HitWriter::create(&path, None, HitKind::Closest, Some(2)).unwrap();
-    writer.write_closest(&[Hit { t: 0.1, u: 0.2, v: 0.3, geometry: 1, primitive: 7 }, Hit::MISS]).unwrap();
+    let mut writer = HitWriter::create(&path, None, HitKind::Closest, Some(2), &KeptColumns::default()).unwrap();
+    writer
+        .write_closest(&[Hit { t: 0.1, u: 0.2, v: 0.3, geometry: 1, primitive: 7 }, Hit::MISS], &Kept::default())
+        .unwrap();
     writer.finish().unwrap();
     let mut reader = ParquetRecordBatchReaderBuilder::try_new(File::open(&path).unwrap()).unwrap().build().unwrap();
     let batch = reader.next().unwrap().unwrap();
@@ -131,8 +133,8 @@ fn hits_have_the_columns_of_the_contract() {
     assert_eq!([floats(0), floats(1), floats(2)], [vec![0.1, f32::INFINITY], vec![0.2, 0.0], vec![0.3, 0.0]]);
     assert_eq!([words(3), words(4)], [vec![1, u32::MAX], vec![7, u32::MAX]]);
 
-    let mut writer = HitWriter::create(&path, None, HitKind::Any, None).unwrap();
-    writer.write_any(&[1, 0]).unwrap();
+    let mut writer = HitWriter::create(&path, None, HitKind::Any, None, &KeptColumns::default()).unwrap();
+    writer.write_any(&[1, 0], &Kept::default()).unwrap();
     writer.finish().unwrap();
     let mut reader = ParquetRecordBatchReaderBuilder::try_new(File::open(&path).unwrap()).unwrap().build().unwrap();
     let batch = reader.next().unwrap().unwrap();

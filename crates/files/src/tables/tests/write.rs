@@ -3,7 +3,7 @@ use std::path::Path;
 
 use super::{bad, some_rays};
 use crate::tables::BLOCK_ROWS;
-use crate::{Error, Format, HitKind, HitWriter, RayWriter};
+use crate::{Error, Format, HitKind, HitWriter, Kept, KeptColumns, RayWriter};
 use rayproof_scene::Hit;
 
 /// A row of closest hits, as NumPy sees it.
@@ -35,9 +35,9 @@ fn rows() -> Vec<Row> {
 }
 
 fn write_closest(path: &Path, total: Option<u64>) -> Result<(), Error> {
-    let mut writer = HitWriter::create(path, None, HitKind::Closest, total)?;
-    writer.write_closest(&hits()[..3])?;
-    writer.write_closest(&hits()[3..])?;
+    let mut writer = HitWriter::create(path, None, HitKind::Closest, total, &KeptColumns::default())?;
+    writer.write_closest(&hits()[..3], &Kept::default())?;
+    writer.write_closest(&hits()[3..], &Kept::default())?;
     writer.finish()
 }
 
@@ -85,10 +85,10 @@ fn any_and_count_have_their_one_column() {
     ] {
         for ending in ["npy", "csv"] {
             let path = directory.path().join(format!("hits.{ending}"));
-            let mut writer = HitWriter::create(&path, None, kind, None).unwrap();
+            let mut writer = HitWriter::create(&path, None, kind, None, &KeptColumns::default()).unwrap();
             match kind {
-                HitKind::Any => writer.write_any(&[1, 0, 1]).unwrap(),
-                _ => writer.write_count(&[3, 0, 4_294_967_294]).unwrap(),
+                HitKind::Any => writer.write_any(&[1, 0, 1], &Kept::default()).unwrap(),
+                _ => writer.write_count(&[3, 0, 4_294_967_294], &Kept::default()).unwrap(),
             }
             writer.finish().unwrap();
         }
@@ -106,16 +106,16 @@ fn more_hits_than_a_block_keep_their_order() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("hits.npy");
     let count = 2 * BLOCK_ROWS + 3;
-    let mut writer = HitWriter::create(&path, None, HitKind::Closest, None).unwrap();
-    writer.write_closest(&hits().into_iter().cycle().take(count).collect::<Vec<_>>()).unwrap();
+    let mut writer = HitWriter::create(&path, None, HitKind::Closest, None, &KeptColumns::default()).unwrap();
+    writer.write_closest(&hits().into_iter().cycle().take(count).collect::<Vec<_>>(), &Kept::default()).unwrap();
     writer.finish().unwrap();
     let npy = npyz::NpyFile::new(std::io::BufReader::new(fs::File::open(&path).unwrap())).unwrap();
     let expected: Vec<Row> = (0..count / 7 + 1).flat_map(|_| rows()).take(count).collect();
     assert!(npy.into_vec::<Row>().unwrap() == expected);
 
     let counts: Vec<u32> = (0..u32::MAX).step_by(7_001).take(count).collect();
-    let mut writer = HitWriter::create(&path, None, HitKind::Count, None).unwrap();
-    writer.write_count(&counts).unwrap();
+    let mut writer = HitWriter::create(&path, None, HitKind::Count, None, &KeptColumns::default()).unwrap();
+    writer.write_count(&counts, &Kept::default()).unwrap();
     writer.finish().unwrap();
     let bytes = fs::read(&path).unwrap();
     let data: Vec<u32> =
@@ -123,8 +123,8 @@ fn more_hits_than_a_block_keep_their_order() {
     assert!(data == counts);
 
     let any: Vec<u8> = counts.iter().map(|count| u8::from(count % 3 == 2)).collect();
-    let mut writer = HitWriter::create(&path, None, HitKind::Any, None).unwrap();
-    writer.write_any(&any).unwrap();
+    let mut writer = HitWriter::create(&path, None, HitKind::Any, None, &KeptColumns::default()).unwrap();
+    writer.write_any(&any, &Kept::default()).unwrap();
     writer.finish().unwrap();
     let bytes = fs::read(&path).unwrap();
     assert!(bytes[bytes.len() - count..] == any);
@@ -158,8 +158,8 @@ fn an_unfinished_table_leaves_no_file_and_spares_the_older_one() {
     };
     for ending in endings {
         let path = directory.path().join(format!("hits.{ending}"));
-        let mut writer = HitWriter::create(&path, None, HitKind::Closest, None).unwrap();
-        writer.write_closest(&hits()).unwrap();
+        let mut writer = HitWriter::create(&path, None, HitKind::Closest, None, &KeptColumns::default()).unwrap();
+        writer.write_closest(&hits(), &Kept::default()).unwrap();
         assert!(!path.exists(), "{ending}: not before it is whole");
         let [partial] = &names()[..] else { panic!("one temporary file, not {:?}", names()) };
         assert!(partial.starts_with(&format!(".hits.{ending}.")) && partial.ends_with(".partial"), "{partial}");
@@ -167,7 +167,7 @@ fn an_unfinished_table_leaves_no_file_and_spares_the_older_one() {
         assert_eq!(names(), Vec::<String>::new(), "{ending}: nothing is left");
 
         fs::write(&path, "older").unwrap();
-        drop(HitWriter::create(&path, None, HitKind::Any, None).unwrap());
+        drop(HitWriter::create(&path, None, HitKind::Any, None, &KeptColumns::default()).unwrap());
         let short = write_closest(&path, Some(8)).unwrap_err().to_string();
         assert!(short.ends_with("7 rows were written of 8 that were announced"), "{short}");
         assert_eq!(fs::read_to_string(&path).unwrap(), "older");
@@ -195,7 +195,7 @@ fn a_finished_file_has_the_permissions_of_any_other_and_keeps_its_links() {
 #[test]
 fn places_that_cannot_be_written_are_errors() {
     let directory = tempfile::tempdir().unwrap();
-    let create = |path: &Path, format| HitWriter::create(path, format, HitKind::Any, None);
+    let create = |path: &Path, format| HitWriter::create(path, format, HitKind::Any, None, &KeptColumns::default());
     assert!(matches!(create(&directory.path().join("none/hits.npy"), None), Err(Error::Io { .. })));
     assert!(matches!(create(directory.path(), Some(Format::Csv)), Err(Error::Io { .. })));
     assert_eq!(bad(create(Path::new("hits.txt"), None)).what, "the ending .txt is not known");
@@ -211,8 +211,10 @@ fn places_that_cannot_be_written_are_errors() {
 fn a_full_device_is_an_error_and_stays_a_device() {
     use std::os::unix::fs::FileTypeExt;
     for format in [Format::Npy, Format::Csv] {
-        let mut writer = HitWriter::create(Path::new("/dev/full"), Some(format), HitKind::Any, Some(3)).unwrap();
-        writer.write_any(&[0, 1, 0]).unwrap();
+        let mut writer =
+            HitWriter::create(Path::new("/dev/full"), Some(format), HitKind::Any, Some(3), &KeptColumns::default())
+                .unwrap();
+        writer.write_any(&[0, 1, 0], &Kept::default()).unwrap();
         assert!(matches!(writer.finish(), Err(Error::Io { .. })));
     }
     assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
