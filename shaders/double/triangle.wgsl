@@ -16,8 +16,11 @@ fn intersect_triangle(ray: PreparedRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>
         return NO_HIT;
     }
     let t = to_f32(div(signed(dot_n(normal, p), negative), scale));
-    return Candidate(
-        t >= ray.t_min && t <= ray.t_max, t, to_f32(div(weight_u, scale)), to_f32(div(weight_v, scale)));
+    let at_u = to_f32(div(weight_u, scale));
+    let at_v = to_f32(div(weight_v, scale));
+    let in_range = t >= ray.t_min && t <= ray.t_max;
+    // What overflowed is no number, and no hit.
+    return Candidate(in_range && at_u >= 0.0 && at_v >= 0.0, t, at_u, at_v);
 }
 
 fn signed(x: N, negative: bool) -> N {

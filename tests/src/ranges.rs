@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 use rayproof::Precision;
-use rayproof::scene::{Geometry, Mesh, Ray, Scene, Sphere};
+use rayproof::scene::{FlatHit, Geometry, Mesh, Ray, Scene, Sphere};
 use rayproof_cpu::Engine as Cpu;
 use rayproof_tree::{Bvh, Scaling};
 
@@ -68,5 +68,34 @@ fn every_range_has_an_answer_in_every_precision() {
             Pair::new(gpu(), &scene, precision).compare(&format!("ranges, {precision:?}"), &rays, &mut tally);
         }
         println!("{} rays, {} of them hit, 0 wrong, 0 differ", tally.rays, tally.hits);
+    }
+}
+
+#[test]
+fn weights_that_overflow_are_no_hit() {
+    // In pairs of f32 a product of these is infinite, and what is left of it no number.
+    let corners = [
+        [0.0, 1.037_741_1e-38, 5.6e-45],
+        [1.000_030_5, 0.0, 0.0],
+        [7.369_612e28, 1.090_100_6e27, 5.827_605e-10],
+        [1.355_598e-19, 4.544_952e30, 2.103_998_5e-19],
+        [1.000_982_3, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
+    let mesh = Mesh::new(corners, vec![[0, 1, 2], [3, 4, 5]]);
+    let scene = Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene");
+    let origin = [7.369_612e28, -2.534_211e30, -0.000_411_032_82];
+    let ray = Ray { t_min: f32::NEG_INFINITY, t_max: 1e5, ..Ray::new(origin, [-0.0, -0.0, -0.760_729_8]) };
+    let [Truth { hit, .. }] = truth(&scene, &[ray])[..] else { panic!("one ray") };
+    assert!(!hit.is_hit());
+    for precision in Precision::ALL {
+        let cpu = Cpu::new(Bvh::new(&scene, Scaling::of(precision)).expect("small"), precision);
+        let mut hits = [FlatHit::MISS];
+        cpu.closest(&[ray], &mut hits);
+        assert!(!hits[0].is_hit(), "{precision:?}: {hits:?}");
+    }
+    let mut tally = Tally::default();
+    for precision in precisions() {
+        Pair::new(gpu(), &scene, precision).compare(&format!("overflow, {precision:?}"), &[ray], &mut tally);
     }
 }

@@ -9,6 +9,7 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 use super::gltf_json::{Accessor, MESHOPT, Root};
 use crate::Error;
+use crate::quote::quoted;
 
 /// The buffers of a file, read when they are asked for.
 pub(super) struct Data<'a> {
@@ -225,11 +226,12 @@ impl<'a> Data<'a> {
     /// A file beside this one: no other place, and nothing but a file.
     fn beside(&self, place: &str, uri: &str) -> Result<Vec<u8>, Error> {
         let relative = urlencoding::decode(uri)
-            .map_err(|e| self.bad(place, format!("`{uri}`: {e}"), "percent-encode the path as UTF-8"))?;
+            .map_err(|e| self.bad(place, format!("{}: {e}", quoted(uri)), "percent-encode the path as UTF-8"))?;
         let path = Path::new(&*relative);
         if path.has_root() || path.is_absolute() {
             return Err(self.bad(place, "its path is absolute", "give a path relative to this file"));
         }
+        super::named(&relative).map_err(|what| self.bad(place, what, "give a path relative to this file"))?;
         let path = self.path.with_file_name("").join(path);
         match std::fs::metadata(&path) {
             Ok(metadata) if !metadata.is_file() => {

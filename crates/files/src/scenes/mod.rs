@@ -26,6 +26,7 @@ use glam::DVec3;
 pub(crate) use self::reading::is_flat;
 use self::reading::{Reading, Told};
 use crate::gzip::{unpack, unpacked_name};
+use crate::quote::quoted;
 use crate::{Error, Note, Rounding};
 use rayproof_scene::{Camera, Geometry, Mesh, Scene};
 
@@ -146,8 +147,20 @@ fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
+/// Whether a file can have this name, which another file says; a message shows it.
+fn named(name: &str) -> Result<(), String> {
+    if name.len() > 1024 || name.chars().any(char::is_control) {
+        return Err(format!("{} is no name of a file", quoted(name)));
+    }
+    Ok(())
+}
+
 fn unknown_ending(file: String, ending: &str, expected: &str) -> Error {
-    let what = if ending.is_empty() { "there is none".into() } else { format!("`.{ending}` is not one we read") };
+    let what = if ending.is_empty() {
+        "there is none".into()
+    } else {
+        format!("{} is not one we read", quoted(format!(".{ending}")))
+    };
     Error::bad(file, "the file's ending", what, expected)
 }
 

@@ -12,7 +12,7 @@ use super::reading::{Reading, Told, Vertices};
 use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending, valid};
 use crate::Error;
 use crate::decimal::{Number, nearest};
-use crate::quote::quoted;
+use crate::quote::{cut, quoted};
 use rayproof_scene::{Camera, Geometry, Mesh, Sphere};
 
 #[derive(Deserialize)]
@@ -63,6 +63,9 @@ pub(super) fn load(path: &Path, origin: Option<DVec3>) -> Result<LoadedScene, Er
         .geometry
         .iter()
         .filter_map(|entry| entry.mesh.as_deref().or_else(|| entry.spheres.as_ref()?.get_ref().as_str()));
+    for name in named.clone() {
+        super::named(name).map_err(|what| Error::bad(path.display().to_string(), "[[geometry]]", what, expected))?;
+    }
     let sources = std::iter::once(path.into()).chain(named.map(|name| folder.join(name))).collect();
     let origin = origin.or(file.origin.map(Into::into)).unwrap_or_default();
     if !origin.is_finite() {
@@ -92,7 +95,7 @@ impl SceneText<'_> {
                 let path = folder.join(mesh);
                 if ending(&path) == "toml" {
                     let place = format!("geometry {i} (counting from 0)");
-                    let what = format!("mesh = \"{mesh}\" is a scene file");
+                    let what = format!("mesh = \"{}\" is a scene file", cut(mesh));
                     return Err(Error::bad(file, place, what, "list that file's geometries here"));
                 }
                 load_mesh(&path, "give a mesh: .obj, .ply, .stl, .gltf or .glb", self.told).map(Geometry::Mesh)

@@ -62,10 +62,10 @@ pub(super) fn npy(file: &str, bytes: &[u8], mut reading: Reading<'_>) -> Result<
     let wide = match header.descr.trim_matches(['\'', '"']) {
         "<f4" => false,
         "<f8" => true,
-        _ => return Err(bad(format!("the dtype is {}", header.descr))),
+        _ => return Err(bad(header.wrong_descr())),
     };
     let Some(&[rows, 4]) = header.dimensions().as_deref() else {
-        return Err(bad(format!("the shape is {}", header.shape)));
+        return Err(bad(header.wrong_shape()));
     };
     if header.fortran_order {
         return Err(bad("the array is in Fortran order".into()));

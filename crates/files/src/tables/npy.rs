@@ -5,6 +5,8 @@
 
 use std::io::{self, Read};
 
+use crate::quote::{cut, quoted};
+
 /// The magic number.
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
 
@@ -72,9 +74,20 @@ impl Header {
         let mut text = vec![0; length];
         input.read_exact(&mut text)?;
         let text = String::from_utf8_lossy(&text);
-        let (descr, fortran_order, shape) = dictionary(&text)
-            .ok_or_else(|| HeaderError::Bad(format!("the header is not a dictionary of an array: {}", text.trim())))?;
+        let (descr, fortran_order, shape) = dictionary(&text).ok_or_else(|| {
+            HeaderError::Bad(format!("the header is not a dictionary of an array: {}", quoted(&*text)))
+        })?;
         Ok(Self { descr, fortran_order, shape, bytes: (start.len() + size + length) as u64 })
+    }
+
+    /// What is said of a dtype and of a shape that are not wanted.
+    pub(crate) fn wrong_descr(&self) -> String {
+        format!("the dtype is {}", cut(&self.descr))
+    }
+
+    /// See [`wrong_descr`](Self::wrong_descr).
+    pub(crate) fn wrong_shape(&self) -> String {
+        format!("the shape is {}", cut(&self.shape))
     }
 
     /// The shape as numbers, if it is a tuple of them.

@@ -42,13 +42,13 @@ impl NpyRays {
         let width = match header.descr.trim_matches(['\'', '"']) {
             "<f4" => 4,
             "<f8" => 8,
-            ">f4" | ">f8" => return Err(bad(format!("the dtype {} is big-endian", header.descr))),
-            _ => return Err(bad(format!("the dtype is {}", header.descr))),
+            ">f4" | ">f8" => return Err(bad(format!("{}, which is big-endian", header.wrong_descr()))),
+            _ => return Err(bad(header.wrong_descr())),
         };
         let (rows, columns) = match header.dimensions().as_deref() {
             Some(&[rows, 6]) => (rows, 6),
             Some(&[rows, 8]) => (rows, 8),
-            _ => return Err(bad(format!("the shape is {}", header.shape))),
+            _ => return Err(bad(header.wrong_shape())),
         };
         if header.fortran_order {
             return Err(bad("the array is in Fortran order".to_owned()));
@@ -57,7 +57,7 @@ impl NpyRays {
         let rays = Self { path, input, columns, width, rows, next: 0, end: rows, block };
         let data = rows
             .checked_mul(rays.row_bytes() as u64)
-            .ok_or_else(|| bad(format!("the shape is {}, more than a file can hold", header.shape)))?;
+            .ok_or_else(|| bad(format!("{}, more than a file can hold", header.wrong_shape())))?;
         match size.map(|size| size.saturating_sub(header.bytes)) {
             Some(there) if there != data => Err(rays.wrong_size(&there.to_string(), there / rays.row_bytes() as u64)),
             _ => Ok(rays),

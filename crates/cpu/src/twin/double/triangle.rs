@@ -29,8 +29,10 @@ pub(crate) fn intersect_triangle<N: Double<Single = Vec4>>(ray: &SingleRay, tria
     if inside == 0 {
         return NO_HITS;
     }
-    let t = (signed(dot_n(normal, p)) / scale).narrow();
+    let [t, u, v] = [signed(dot_n(normal, p)), u, v].map(|x| (x / scale).narrow());
     let in_range = t.cmpge(Vec4::splat(ray.t_min)) & t.cmple(Vec4::splat(ray.t_max));
-    let hits = inside & in_range.bitmask();
-    Candidates { hits, t, u: (u / scale).narrow(), v: (v / scale).narrow() }
+    // What overflowed is no number, and no hit.
+    let numbers = u.cmpge(Vec4::ZERO) & v.cmpge(Vec4::ZERO);
+    let hits = inside & in_range.bitmask() & numbers.bitmask();
+    Candidates { hits, t, u, v }
 }

@@ -80,6 +80,7 @@ fn bad_arrays_are_named() {
     for (descr, order, shape, said) in [
         ("<f4", "False", "(2, 3)", format!("the header: the shape is (2, 3); {table}")),
         ("<f4", "False", "(8,)", format!("the header: the shape is (8,); {table}")),
+        ("<f4", "False", "(1+1, 4)", format!("the header: the shape is (1+1, 4); {table}")),
         ("<f4", "False", "(1, 2, 4)", format!("the header: the shape is (1, 2, 4); {table}")),
         ("<f4", "True", "(2, 4)", format!("the header: the array is in Fortran order; {table}")),
         (">f4", "False", "(2, 4)", format!("the header: the dtype is '>f4'; {table}")),

@@ -1,6 +1,7 @@
 #![expect(clippy::unwrap_used, reason = "a test")]
 
 mod csv;
+mod kept;
 mod npy;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -31,8 +31,8 @@ fn headers_that_are_not_a_table_of_rays_say_what_they_are() {
     let fortran = "{'descr': '<f4', 'fortran_order': True, 'shape': (2, 6), }".to_owned();
     let unordered = "{'descr': '<f4', 'fortran_order': 1, 'shape': (2, 6), }".to_owned();
     let cases = [
-        (d("'>f4'", "(2, 6)"), "the dtype '>f4' is big-endian"),
-        (d("'>f8'", "(2, 6)"), "the dtype '>f8' is big-endian"),
+        (d("'>f4'", "(2, 6)"), "the dtype is '>f4', which is big-endian"),
+        (d("'>f8'", "(2, 6)"), "the dtype is '>f8', which is big-endian"),
         (d("'<f2'", "(2, 6)"), "the dtype is '<f2'"),
         (d("'<i4'", "(2, 6)"), "the dtype is '<i4'"),
         (d("'|O'", "(2, 6)"), "the dtype is '|O'"),
@@ -44,6 +44,7 @@ fn headers_that_are_not_a_table_of_rays_say_what_they_are() {
         (d("'<f4'", "(6, 2)"), "the shape is (6, 2)"),
         (d("'<f4'", "(-2, 6)"), "the shape is (-2, 6)"),
         (d("'<f4'", "(2.0, 6)"), "the shape is (2.0, 6)"),
+        (d("'<f4'", "(1+1, 6)"), "the shape is (1+1, 6)"),
         (d("'<f4'", "(99999999999999999999, 6)"), "the shape is (99999999999999999999, 6)"),
         (d("'<f4'", "(9223372036854775808, 6)"), "the shape is (9223372036854775808, 6), more than a file can hold"),
         (fortran, "the array is in Fortran order"),
