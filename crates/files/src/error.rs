@@ -1,9 +1,9 @@
-use std::fmt;
+use std::fmt::{self, Write as _};
 use std::path::PathBuf;
 
 /// Input that cannot be answered: it says what is wrong, where, and what would be right.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{file}: {place}: {what}{}; {expected}", first_of(*.more))]
+#[error("{}: {}: {}{}; {}", Plain(.file), Plain(.place), Plain(.what), first_of(*.more), Plain(.expected))]
 pub struct BadInput {
     /// The file, as it was named; `-` is stdin.
     pub file: String,
@@ -15,6 +15,25 @@ pub struct BadInput {
     pub more: usize,
     /// What would be right.
     pub expected: String,
+}
+
+/// Text for a message, whoever wrote it: on one line, with nothing in it that a terminal would obey, and no longer than a reader
+/// wants. What readers quote is shorter; this is for the words of others, and for names.
+pub(crate) struct Plain<'a>(pub(crate) &'a str);
+
+impl fmt::Display for Plain<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const LONGEST: usize = 240;
+        for (i, character) in self.0.chars().enumerate() {
+            match character {
+                _ if i == LONGEST => return f.write_str(".."),
+                '\n' | '\t' => f.write_str(" ")?,
+                c if c.is_control() => write!(f, "{}", c.escape_default())?,
+                c => f.write_char(c)?,
+            }
+        }
+        Ok(())
+    }
 }
 
 /// What is said after a place where there are more like it.
@@ -78,5 +97,16 @@ impl Error {
     ) -> Self {
         let (file, place, what, expected) = (file.into(), place.into(), what.into(), expected.into());
         Self::Bad(Box::new(BadInput { file, place, what, more: 0, expected }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_are_of_one_short_line_whoever_wrote_their_words() {
+        let bad = Error::bad("a\u{1b}.ply", "fac\0e 0", "two\nlines", "x".repeat(5_000_000));
+        assert_eq!(bad.to_string(), format!("a\\u{{1b}}.ply: fac\\u{{0}}e 0: two lines; {}..", "x".repeat(240)));
     }
 }

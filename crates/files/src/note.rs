@@ -1,7 +1,7 @@
 use std::fmt;
 
 use crate::decimal::Number;
-use crate::error::first_of;
+use crate::error::{Plain, first_of};
 
 /// What a reader left out, or took otherwise than its user may think, though every triangle is where the file puts it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub struct Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { file, place, what, more } = self;
-        write!(f, "{file}: {place}: {what}{}", first_of(*more))
+        write!(f, "{}: {}: {}{}", Plain(file), Plain(place), Plain(what), first_of(*more))
     }
 }
 

@@ -4,9 +4,9 @@
 mod ask;
 mod memory;
 
-use std::fs;
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Once, OnceLock};
+use std::{fs, panic};
 
 use rayproof::files::{InvalidRays, Origin, RayReader, Survey, load_at};
 use rayproof::scene::Ray;
@@ -63,8 +63,22 @@ fn load(path: &Path, bytes: &[u8]) {
     }
 }
 
+/// Panics within the parquet crate are its readers' errors here: the reader catches them. The fuzzer ends at any other.
+fn forgive_parquet() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let before = panic::take_hook();
+        panic::set_hook(Box::new(move |panic| {
+            if !panic.location().is_some_and(|at| at.file().contains("/parquet-") || at.file().contains("/arrow-")) {
+                before(panic);
+            }
+        }));
+    });
+}
+
 /// Reads a table of rays: as a whole, its middle, and as a pipe.
 pub fn rays(name: &str, bytes: &[u8]) {
+    forgive_parquet();
     let path = folder().join(name);
     fs::write(&path, bytes).expect("a file");
     let read = |part: bool, invalid: InvalidRays| {
@@ -93,6 +107,7 @@ pub fn rays(name: &str, bytes: &[u8]) {
 fn short(message: &str) {
     let folder = folder().display().to_string();
     let length = message.replace(&folder, "").chars().count();
-    assert!(length <= 400, "a message of {length} characters: {message}");
-    assert!(!message.chars().any(|c| c.is_control() && c != '\n'), "a message with control characters: {message:?}");
+    // A place, a quotation and a remedy, the longest of them 240.
+    assert!(length <= 500, "a message of {length} characters: {message}");
+    assert!(!message.chars().any(char::is_control), "a message with control characters: {message:?}");
 }

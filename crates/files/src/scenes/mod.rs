@@ -149,7 +149,7 @@ fn ending(path: &Path) -> String {
 
 /// Whether a file can have this name, which another file says; a message shows it.
 fn named(name: &str) -> Result<(), String> {
-    if name.len() > 1024 || name.chars().any(char::is_control) {
+    if name.len() > 255 || name.chars().any(char::is_control) {
         return Err(format!("{} is no name of a file", quoted(name)));
     }
     Ok(())
