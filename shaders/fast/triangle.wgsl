@@ -20,5 +20,9 @@ fn intersect_triangle(ray: PreparedRay, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>
         return NO_HIT;
     }
     let t = sign * dot3(n, p) / scale;
-    return Candidate(t >= ray.t_min && t <= ray.t_max, t, u / scale, v / scale);
+    let at_u = u / scale;
+    let at_v = v / scale;
+    let in_range = t >= ray.t_min && t <= ray.t_max;
+    // What overflowed is no number, and no hit.
+    return Candidate(in_range && at_u >= 0.0 && at_v >= 0.0, t, at_u, at_v);
 }

@@ -73,8 +73,8 @@ fn every_range_has_an_answer_in_every_precision() {
 
 #[test]
 fn weights_that_overflow_are_no_hit() {
-    // In pairs of f32 a product of these is infinite, and what is left of it no number.
-    let corners = [
+    // A product of these is infinite in pairs of f32, and what is left of it no number; then one that is so in f32 itself.
+    let pairs = [
         [0.0, 1.037_741_1e-38, 5.6e-45],
         [1.000_030_5, 0.0, 0.0],
         [7.369_612e28, 1.090_100_6e27, 5.827_605e-10],
@@ -82,20 +82,32 @@ fn weights_that_overflow_are_no_hit() {
         [1.000_982_3, 0.0, 0.0],
         [0.0, 1.0, 0.0],
     ];
-    let mesh = Mesh::new(corners, vec![[0, 1, 2], [3, 4, 5]]);
-    let scene = Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene");
+    let single = [
+        [8.6e-43, 0.0, 0.0],
+        [562_949_953_421_312.0, 1.235e-40, 0.0],
+        [4.878_760_7e-41, -0.0, 8.8e-44],
+        [4.591_775e-41, 951_495_780_466_688.0, 951_495_780_466_688.0],
+        [564_467_687_489_536.0, 1.832_514_2e-19, 2.814_656e23],
+        [2.8e-45, 1.435e-42, 1.0],
+    ];
     let origin = [7.369_612e28, -2.534_211e30, -0.000_411_032_82];
-    let ray = Ray { t_min: f32::NEG_INFINITY, t_max: 1e5, ..Ray::new(origin, [-0.0, -0.0, -0.760_729_8]) };
-    let [Truth { hit, .. }] = truth(&scene, &[ray])[..] else { panic!("one ray") };
-    assert!(!hit.is_hit());
-    for precision in Precision::ALL {
-        let cpu = Cpu::new(Bvh::new(&scene, Scaling::of(precision)).expect("small"), precision);
-        let mut hits = [FlatHit::MISS];
-        cpu.closest(&[ray], &mut hits);
-        assert!(!hits[0].is_hit(), "{precision:?}: {hits:?}");
-    }
-    let mut tally = Tally::default();
-    for precision in precisions() {
-        Pair::new(gpu(), &scene, precision).compare(&format!("overflow, {precision:?}"), &[ray], &mut tally);
+    let cases = [
+        (pairs, Ray { t_min: f32::NEG_INFINITY, t_max: 1e5, ..Ray::new(origin, [-0.0, -0.0, -0.760_729_8]) }),
+        (single, Ray::new([0.001_168_746_7, 0.0015, -1.511_157_3e23], [-0.001_168_746_7, -0.0015, 0.0])),
+    ];
+    for (corners, ray) in cases {
+        let mesh = Mesh::new(corners, vec![[0, 1, 2], [3, 4, 5]]);
+        let scene = Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene");
+        for precision in Precision::ALL {
+            let cpu = Cpu::new(Bvh::new(&scene, Scaling::of(precision)).expect("small"), precision);
+            let mut hits = [FlatHit::MISS];
+            cpu.closest(&[ray], &mut hits);
+            let [hit] = hits;
+            assert!(!(hit.t.is_nan() || hit.u.is_nan() || hit.v.is_nan()), "{precision:?}: {hit:?}");
+        }
+        let mut tally = Tally::default();
+        for precision in precisions() {
+            Pair::new(gpu(), &scene, precision).compare(&format!("overflow, {precision:?}"), &[ray], &mut tally);
+        }
     }
 }

@@ -24,9 +24,12 @@ pub(crate) struct Plain<'a>(pub(crate) &'a str);
 impl fmt::Display for Plain<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const LONGEST: usize = 240;
-        for (i, character) in self.0.chars().enumerate() {
+        let mut length = 0;
+        for character in self.0.chars() {
+            // What `escape_default` writes is ten characters at most.
+            length += if character.is_control() { 10 } else { 1 };
             match character {
-                _ if i == LONGEST => return f.write_str(".."),
+                _ if length > LONGEST => return f.write_str(".."),
                 '\n' | '\t' => f.write_str(" ")?,
                 c if c.is_control() => write!(f, "{}", c.escape_default())?,
                 c => f.write_char(c)?,

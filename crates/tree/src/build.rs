@@ -7,6 +7,9 @@ use obvhs::{Boundable, BvhBuildParams};
 use rayon::prelude::*;
 use rayproof_scene::Kind;
 
+mod balance;
+
+use self::balance::balance;
 use crate::node::{Child, EMPTY, Node};
 use crate::pack::Packed;
 use crate::{Bvh, Originals};
@@ -52,7 +55,8 @@ pub(crate) fn build(packed: Packed) -> Bvh {
         .into_iter()
         .flat_map(|kind| (0..packed.count(kind)).into_par_iter().map(|i| packed.bounds(kind, i)).collect::<Vec<_>>())
         .collect();
-    let binary = binary_tree(&boxes, packed.size);
+    let mut binary = binary_tree(&boxes, packed.size);
+    balance(&mut binary, &boxes);
     let boxes = binary_boxes(&binary, &boxes);
     let mut builder = Builder { packed, binary, boxes, bvh };
     builder.collapse();

@@ -94,8 +94,8 @@ impl Kept {
     }
 
     /// For each row the text that follows the hits' own in a line.
-    pub(super) fn lines(&self) -> io::Result<Lines<'_>> {
-        Ok(Lines {
+    pub(super) fn lines(&self) -> io::Result<KeptText<'_>> {
+        Ok(KeptText {
             text: &self.text,
             #[cfg(feature = "parquet")]
             arrays: self.arrays.iter().map(formatters).collect::<Result<_, _>>().map_err(io::Error::other)?,
@@ -137,14 +137,14 @@ fn formatters(rows: &RecordBatch) -> Result<Formatted<'_>, arrow::error::ArrowEr
     Ok((rows.num_rows(), columns))
 }
 
-/// Rows of kept columns as text.
-pub(super) struct Lines<'a> {
+/// Rows of kept columns, as text.
+pub(super) struct KeptText<'a> {
     text: &'a [Texts],
     #[cfg(feature = "parquet")]
     arrays: Vec<Formatted<'a>>,
 }
 
-impl Lines<'_> {
+impl KeptText<'_> {
     /// Writes a comma and the value of each column of a row.
     #[cfg_attr(not(feature = "parquet"), expect(unused_mut, reason = "rows are counted from the first of their batch"))]
     pub(super) fn write(&self, output: &mut impl Write, mut row: usize) -> io::Result<()> {

@@ -80,15 +80,29 @@ fn every_primitive_is_found_once_inside_its_boxes() {
     }
 }
 
+/// The tree of a scene, after a look at whether it holds everything.
+fn whole(geometry: Geometry) -> Bvh {
+    let scene = Scene::new(vec![geometry]).expect("a valid scene");
+    let bvh = Bvh::new(&scene, Scaling::None).expect("small");
+    assert_eq!(walk(&bvh).len(), scene.len());
+    bvh
+}
+
 #[test]
-fn a_deep_tree_is_built_without_recursion() {
-    // Triangles whose sizes fall by powers of two, one inside the other: the tree is a chain.
-    let mut mesh = Mesh::default();
+fn copies_and_shapes_inside_each_other_make_no_deep_tree() {
+    // Triangles whose sizes fall by powers of two, one inside the other.
+    let mut nested = Mesh::default();
     for i in 0..120_u32 {
         let s = 2.0_f32.powi(60 - i32::try_from(i).expect("few"));
-        mesh.vertices.extend([Vec3::ZERO, Vec3::new(s, 0.0, 0.0), Vec3::new(0.0, s, s)]);
-        mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+        nested.vertices.extend([Vec3::ZERO, Vec3::new(s, 0.0, 0.0), Vec3::new(0.0, s, s)]);
+        nested.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
-    let bvh = Bvh::new(&Scene::new(vec![Geometry::Mesh(mesh)]).expect("a valid scene"), Scaling::None).expect("small");
-    assert_eq!(walk(&bvh).len(), 120);
+    let copies = Mesh::new([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]; 5000]);
+    let shells = (1..3000_u16).map(|i| Sphere::new([0.0; 3], f32::from(i))).collect();
+    for geometry in [Geometry::Mesh(nested), Geometry::Mesh(copies), Geometry::Spheres(shells)] {
+        let bvh = whole(geometry);
+        println!("{} entries", bvh.stack_depth);
+        // A node of four leaves three entries behind, and is one level of the binary tree at least.
+        assert!(bvh.stack_depth <= 3 * balance::DEEPEST as usize + 3, "{}", bvh.stack_depth);
+    }
 }

@@ -27,6 +27,9 @@ pub(crate) fn intersect_triangle(ray: &SingleRay, triangles: &Triangles4) -> Can
         return NO_HITS;
     }
     let t = sign * dot3(n, p) / scale;
-    let hits = inside & t.cmpge(Vec4::splat(ray.t_min)) & t.cmple(Vec4::splat(ray.t_max));
-    Candidates { hits: hits.bitmask(), t, u: u / scale, v: v / scale }
+    let [u, v] = [u / scale, v / scale];
+    let in_range = t.cmpge(Vec4::splat(ray.t_min)) & t.cmple(Vec4::splat(ray.t_max));
+    // What overflowed is no number, and no hit.
+    let hits = inside & in_range & u.cmpge(Vec4::ZERO) & v.cmpge(Vec4::ZERO);
+    Candidates { hits: hits.bitmask(), t, u, v }
 }

@@ -1,5 +1,6 @@
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
+mod dialects;
 mod gltf;
 mod gltf_pose;
 mod hostile;
