@@ -6,6 +6,7 @@ mod check;
 mod engines;
 mod formats;
 mod interrupted;
+mod kept;
 mod overwrite;
 mod places;
 mod rays;
