@@ -101,7 +101,6 @@ fn copies_and_shapes_inside_each_other_make_no_deep_tree() {
     let shells = (1..3000_u16).map(|i| Sphere::new([0.0; 3], f32::from(i))).collect();
     for geometry in [Geometry::Mesh(nested), Geometry::Mesh(copies), Geometry::Spheres(shells)] {
         let bvh = whole(geometry);
-        println!("{} entries", bvh.stack_depth);
         // A node of four leaves three entries behind, and is one level of the binary tree at least.
         assert!(bvh.stack_depth <= 3 * balance::DEEPEST as usize + 3, "{}", bvh.stack_depth);
     }

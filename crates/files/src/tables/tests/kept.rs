@@ -17,10 +17,11 @@ fn pass_on(from: &Path, to: &Path, names: &[&str], batch: usize) -> Result<(), E
     let mut reader = RayReader::open(from, None, InvalidRays::Error)?;
     let columns = reader.keep(&names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>())?;
     let mut writer = HitWriter::create(to, None, HitKind::Count, None, &columns)?;
-    let (mut rays, mut kept) = (Vec::new(), Kept::default());
+    let (mut rays, mut kept, mut counts) = (Vec::new(), Kept::default(), 0..);
     while reader.next_batch(&mut rays, batch)? > 0 {
         reader.take_kept(&mut kept);
-        writer.write_count(&rays.iter().map(|ray| ray.origin.x as u32).collect::<Vec<_>>(), &kept)?;
+        let counts: Vec<u32> = counts.by_ref().take(rays.len()).collect();
+        writer.write_count(&counts, &kept)?;
     }
     writer.finish()
 }
