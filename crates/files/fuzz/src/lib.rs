@@ -47,7 +47,7 @@ pub fn spheres(name: &str, bytes: &[u8]) {
 }
 
 fn load(path: &Path, bytes: &[u8]) {
-    // One in four moves the scene: the last byte tells.
+    // Some move the scene: the last byte tells.
     let origin = match bytes.last() {
         Some(0..=31) => Origin::Auto,
         Some(32..=63) => Origin::At([1e9, -0.1, 3.0]),
@@ -76,7 +76,7 @@ fn forgive_parquet() {
     });
 }
 
-/// Reads a table of rays: as a whole, its middle, and as a pipe.
+/// Reads a table of rays: as a whole, and its middle.
 pub fn rays(name: &str, bytes: &[u8]) {
     forgive_parquet();
     let path = folder().join(name);
