@@ -1,10 +1,14 @@
 //! Ctrl-C and `kill`: a run that is writing winds down and removes its temporary file; any other stops at once.
 
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
+use std::time::Duration;
 
 use crate::exit::{Code, Failure};
 
 static WRITING: AtomicBool = AtomicBool::new(false);
+/// What a batch may still take. A driver that compiles, and a pipe that nobody reads, can take for ever.
+const GRACE: Duration = Duration::from_secs(5);
+
 /// The first signal that came, 0 before.
 static SIGNAL: AtomicI32 = AtomicI32::new(0);
 
@@ -26,6 +30,10 @@ fn caught(signal: i32) {
     if again || !WRITING.load(Ordering::SeqCst) {
         std::process::exit(code(signal) as i32);
     }
+    std::thread::spawn(move || {
+        std::thread::sleep(GRACE);
+        std::process::exit(code(signal) as i32);
+    });
 }
 
 /// 128 and the signal's number, as shells have it.

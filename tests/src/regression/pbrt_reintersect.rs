@@ -1,5 +1,6 @@
 //! pbrt-v4, `Triangle.Reintersect` and `FullSphere.Reintersect`: does a ray that leaves a surface, from a point moved off it as pbrt
-//! moves it, meet it again? Never. Coordinates are from 1e-8 to 1e8, radii from 1e-4 to 1e4.
+//! moves it, meet it again? Never, if the surface is flat over that move: a sphere is larger than it. Coordinates are from 1e-8 to
+//! 1e8, radii from 1e-4 to 1e4.
 
 use glam::DVec3;
 use rayproof::scene::{Geometry, Mesh, Ray, Scene, Sphere};
@@ -19,11 +20,16 @@ fn log_uniform_point(numbers: &mut Numbers, low: f64, high: f64) -> DVec3 {
     DVec3::new(log_uniform(numbers, low, high), log_uniform(numbers, low, high), log_uniform(numbers, low, high))
 }
 
-/// Rays that leave a hit on the side of `normal`: from the point moved by what rounding may have cost it, as pbrt moves it.
-fn spawned(from: &Ray, t: f32, normal: DVec3, count: usize, numbers: &mut Numbers) -> Vec<Ray> {
+/// A hit's place, and what rounding may have cost it.
+fn place(from: &Ray, t: f32) -> (DVec3, DVec3) {
     let along = from.direction.as_dvec3() * f64::from(t);
     let point = from.origin.as_dvec3() + along;
-    let off = (along.abs() + point.abs() + from.origin.as_dvec3().abs()) * 2.0_f64.powi(-22);
+    (point, (along.abs() + point.abs() + from.origin.as_dvec3().abs()) * 2.0_f64.powi(-22))
+}
+
+/// Rays that leave a hit on the side of `normal`: from the point moved by what rounding may have cost it, as pbrt moves it.
+fn spawned(from: &Ray, t: f32, normal: DVec3, count: usize, numbers: &mut Numbers) -> Vec<Ray> {
+    let (point, off) = place(from, t);
     let moved = point + normal * normal.abs().dot(off);
     let origin = moved.as_vec3();
     (0..count)
@@ -58,8 +64,10 @@ fn a_ray_that_leaves_a_surface_does_not_meet_it_again() {
         if !hit.is_hit() || hit.t == 0.0 {
             continue;
         }
-        let at = ray.origin.as_dvec3() + ray.direction.as_dvec3() * f64::from(hit.t);
+        let (at, off) = place(&ray, hit.t);
         let normal = match &scene.geometries()[0] {
+            // The place may be anywhere about it, and so may what would be its normal there.
+            Geometry::Spheres(spheres) if off.length() >= f64::from(spheres[0].radius) => continue,
             Geometry::Spheres(spheres) => (at - spheres[0].center.as_dvec3()).normalize(),
             Geometry::Mesh(mesh) => {
                 let [a, b, c] = [0, 1, 2].map(|i| mesh.vertices[i].as_dvec3());

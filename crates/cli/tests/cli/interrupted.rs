@@ -39,6 +39,35 @@ fn a_killed_run_leaves_no_hits_and_nothing_that_looks_whole() {
     assert_eq!(super::csv_hits(&folder.read("hits.csv")), super::HITS);
 }
 
+/// Sends one signal, and waits for the end.
+#[cfg(unix)]
+fn stop(child: &mut Child, signal: &str) {
+    let id = child.id().to_string();
+    assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
+    let started = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if started.elapsed() > PATIENCE {
+            child.kill().unwrap();
+            panic!("{signal} does not stop the run");
+        }
+        sleep(Duration::from_millis(10));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_ends_though_its_reader_has_stopped_reading() {
+    let folder = Folder::with_scene();
+    folder.run("rays scene.toml -o many.npy --size 512x512 -q").expect(0, &[]);
+    let mut child = folder.spawn("intersect scene.toml many.npy -o - --device cpu");
+    // Some hits have come; the pipe is full, and the run waits for room in it.
+    let mut first = [0; 1];
+    std::io::Read::read_exact(child.stdout.as_mut().unwrap(), &mut first).unwrap();
+    sleep(Duration::from_millis(500));
+    stop(&mut child, "-TERM");
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_cleans_up() {
@@ -48,16 +77,7 @@ fn an_interrupted_run_cleans_up() {
         let mut child = waiting_run(&folder);
         // stdin stays open: the run must not wait for it.
         let stdin = child.stdin.take();
-        let id = child.id().to_string();
-        assert!(std::process::Command::new("kill").args([signal, &id]).status().unwrap().success());
-        let started = Instant::now();
-        while child.try_wait().unwrap().is_none() {
-            if started.elapsed() > PATIENCE {
-                child.kill().unwrap();
-                panic!("{signal} does not stop the run");
-            }
-            sleep(Duration::from_millis(10));
-        }
+        stop(&mut child, signal);
         let output = child.wait_with_output().unwrap();
         drop(stdin);
         super::Ran::of(signal, output).expect(code, &["interrupted"]);
