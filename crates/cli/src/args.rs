@@ -8,7 +8,7 @@ use rayproof::stream::Shard;
 use rayproof::{DeviceChoice, Precision};
 
 use crate::choices::{Format, Invalid, Kind, OnRounding, Query, Show, precision};
-use crate::parse::{self, Size};
+use crate::parse::{self, Size, input};
 
 /// Shoots rays at spheres and triangles, on the GPU or the CPU, and can prove each answer against exact arithmetic.
 #[derive(Debug, Parser)]
@@ -79,11 +79,11 @@ HITS has one row a ray, in the rays' order, and appears only when it is whole.
   any:     hit (uint8)
   count:   count (uint32)")]
 pub(crate) struct Intersect {
-    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    #[arg(value_name = "SCENE", value_parser = input(), help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
     /// The rays, '-' for stdin: .npy of shape (N, 6) or (N, 8), .csv or .parquet with ox,oy,oz,dx,dy,dz and, if wanted, t_min,t_max
-    #[arg(value_name = "RAYS")]
+    #[arg(value_name = "RAYS", value_parser = input())]
     pub(crate) rays: PathBuf,
 
     /// Where the hits go, '-' for stdout: .npy, .csv or .parquet
@@ -155,7 +155,7 @@ Examples:
 
 The same command writes the same bytes on every run.")]
 pub(crate) struct Rays {
-    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    #[arg(value_name = "SCENE", value_parser = input(), help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
     /// Where the rays go, '-' for stdout: .npy (N, 6), .csv or .parquet
@@ -195,7 +195,7 @@ Examples:
 
 The picture is seen from the scene file's camera, else from one that frames the scene.")]
 pub(crate) struct Render {
-    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    #[arg(value_name = "SCENE", value_parser = input(), help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
     /// Where the picture goes (.png), '-' for stdout
@@ -232,7 +232,7 @@ Examples:
 A surface is closed where every edge is of an even number of triangles; vertices are one where they are at one place. Edges and \
 triangles are named by the first triangle, from 0 within its geometry.")]
 pub(crate) struct Info {
-    #[arg(value_name = "SCENE", help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
+    #[arg(value_name = "SCENE", value_parser = input(), help = "The scene: .obj .ply .stl .gltf .glb .toml", long_help = SCENE)]
     pub(crate) scene: PathBuf,
 
     #[command(flatten)]
@@ -283,7 +283,7 @@ pub(crate) struct Report {
     pub(crate) quick: bool,
 
     /// A scene to measure beside the made ones; may be given several times
-    #[arg(long, value_name = "SCENE")]
+    #[arg(long, value_name = "SCENE", value_parser = input())]
     pub(crate) scene: Vec<PathBuf>,
 
     /// Measure other intersectors too: Embree, from PyPI, in a virtual environment in VENV (about a gigabyte), and, in a

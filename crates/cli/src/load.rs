@@ -47,9 +47,9 @@ impl Loaded {
         Ok(loaded)
     }
 
-    /// By how much rounding may move a place without a word.
+    /// By how much rounding may move a place without a word. Where nothing can be hit, no ray is moved off anything.
     pub(crate) fn harmless(&self) -> f64 {
-        HARMLESS * self.size
+        if self.scene.scene.is_empty() { f64::INFINITY } else { HARMLESS * self.size }
     }
 
     /// What rounding did, where it did harm, and what to do.

@@ -1,5 +1,8 @@
 //! What is typed on the command line: the size of a picture, `1024x768`, and an origin, `1,2,3`.
 
+use std::path::PathBuf;
+
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use rayproof::files::Origin;
 
 /// The size of a picture, in pixels.
@@ -13,6 +16,11 @@ impl Size {
     pub(crate) fn pixels(self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
     }
+}
+
+/// The name of an input, whatever it is: an empty one (a script's unset variable) is a bad input, not a bad command line.
+pub(crate) fn input() -> impl TypedValueParser<Value = PathBuf> {
+    OsStringValueParser::new().map(PathBuf::from)
 }
 
 /// `WxH`, both whole numbers from 1 to 65535.

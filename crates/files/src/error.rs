@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 /// Input that cannot be answered: it says what is wrong, where, and what would be right.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{}: {}: {}{}; {}", Plain(.file), Plain(.place), Plain(.what), first_of(*.more), Plain(.expected))]
+#[error("{}: {}: {}{}; {}", Plain(name(.file)), Plain(.place), Plain(.what), first_of(*.more), Plain(.expected))]
 pub struct BadInput {
     /// The file, as it was named; `-` is stdin.
     pub file: String,
@@ -37,6 +37,11 @@ impl fmt::Display for Plain<'_> {
         }
         Ok(())
     }
+}
+
+/// A file's name, also one of no letters.
+const fn name(file: &str) -> &str {
+    if file.is_empty() { "''" } else { file }
 }
 
 /// What is said after a place where there are more like it.
@@ -111,5 +116,6 @@ mod tests {
     fn messages_are_of_one_short_line_whoever_wrote_their_words() {
         let bad = Error::bad("a\u{1b}.ply", "fac\0e 0", "two\nlines", "x".repeat(5_000_000));
         assert_eq!(bad.to_string(), format!("a\\u{{1b}}.ply: fac\\u{{0}}e 0: two lines; {}..", "x".repeat(240)));
+        assert_eq!(Error::bad("", "name", "it is empty", "give one").to_string(), "'': name: it is empty; give one");
     }
 }

@@ -70,6 +70,28 @@ fn scene_files_and_spheres() {
 }
 
 #[test]
+fn directories_and_empty_names() {
+    let folder = Folder::with_scene();
+    std::fs::create_dir(folder.path("folder.obj")).unwrap();
+    std::fs::create_dir(folder.path("folder.npy")).unwrap();
+    for (line, part) in [
+        ("intersect folder.obj rays.csv -o hits.npy", "folder.obj: cannot be opened: "),
+        ("intersect scene.toml folder.npy -o hits.npy", "folder.npy"),
+        ("intersect '' rays.csv -o hits.npy", "'': the file's ending: there is none"),
+        ("intersect scene.toml '' -o hits.npy", "'': name: it has no ending"),
+        ("rays '' -o new.npy", "'': "),
+        ("render '' -o new.png", "'': "),
+        ("info ''", "'': "),
+        ("info folder.obj", "folder.obj"),
+        ("report --quick --device cpu --scene ''", "'': "),
+    ] {
+        folder.run(line).expect(5, &[part]);
+    }
+    // No name to write to is a command that was typed wrong.
+    folder.run("intersect scene.toml rays.csv -o ''").expect(2, &["--output"]);
+}
+
+#[test]
 fn rays_that_are_none() {
     for (bad, what) in [
         ([NAN, 0.0, 0.0, 0.0, 0.0, 1.0], "origin"),

@@ -11,7 +11,7 @@ use toml::{Spanned, Value};
 use super::reading::{Reading, Told, Vertices};
 use super::{LoadedScene, ending, load_mesh, read, spheres, unknown_ending, valid};
 use crate::Error;
-use crate::decimal::{Number, nearest};
+use crate::decimal::Number;
 use crate::quote::{cut, quoted};
 use rayproof_scene::{Camera, Geometry, Mesh, Sphere};
 
@@ -38,10 +38,10 @@ struct Entry {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct View {
-    eye: [f64; 3],
-    target: [f64; 3],
-    up: [f64; 3],
-    fov_y: f64,
+    eye: Spanned<[f64; 3]>,
+    target: Spanned<[f64; 3]>,
+    up: Spanned<[f64; 3]>,
+    fov_y: Spanned<f64>,
 }
 
 pub(super) fn load(path: &Path, origin: Option<DVec3>) -> Result<LoadedScene, Error> {
@@ -75,7 +75,7 @@ pub(super) fn load(path: &Path, origin: Option<DVec3>) -> Result<LoadedScene, Er
     let mut scene = SceneText { file: &name, folder, text, told: &mut told };
     let entries = file.geometry.into_iter().enumerate();
     let geometries = entries.map(|(i, entry)| scene.geometry(i, entry)).collect::<Result<_, _>>()?;
-    let camera = file.camera.map(|view| camera(&name, &view, origin)).transpose()?;
+    let camera = file.camera.map(|view| camera(&name, text, &view, origin)).transpose()?;
     Ok(told.of(valid(geometries, path)?, camera, sources))
 }
 
@@ -220,13 +220,22 @@ fn shown(value: &DeValue<'_>) -> String {
     }
 }
 
-fn camera(file: &str, view: &View, origin: DVec3) -> Result<Camera, Error> {
-    let place = |point: [f64; 3]| {
-        let [x, y, z] = [0, 1, 2].map(|axis| Number::from(point[axis]).minus(origin[axis]).single);
+/// The numbers as the text has them, each rounded once.
+fn camera(file: &str, text: &str, view: &View, origin: DVec3) -> Result<Camera, Error> {
+    let number = |value: &DeValue<'_>| number_of(value).expect("it was read as a number with the file");
+    let parsed = |at: Range<usize>| DeValue::parse(&text[at]).expect("it was parsed with the file");
+    let place = |point: &Spanned<[f64; 3]>, origin: DVec3| {
+        let numbers = parsed(point.span());
+        let numbers = numbers.get_ref().as_array().expect("it was read as three numbers with the file");
+        let [x, y, z] = [0, 1, 2].map(|axis| number(numbers[axis].get_ref()).minus(origin[axis]).single);
         Vec3::new(x, y, z)
     };
-    let up = Vec3::from(view.up.map(nearest));
-    let camera = Camera { eye: place(view.eye), target: place(view.target), up, fov_y: nearest(view.fov_y) };
+    let camera = Camera {
+        eye: place(&view.eye, origin),
+        target: place(&view.target, origin),
+        up: place(&view.up, DVec3::ZERO),
+        fov_y: number(parsed(view.fov_y.span()).get_ref()).single,
+    };
     match camera.fault() {
         None => Ok(camera),
         Some([what, expected]) => Err(Error::bad(file, "[camera]", what, expected)),

@@ -53,6 +53,14 @@ struct Place {
     bytes: u64,
 }
 
+/// Which of a ray each column is, or what is wrong with the names.
+fn columns(names: &[String]) -> Result<Vec<Option<usize>>, String> {
+    match (names, [';', '\t'].into_iter().find(|&c| names[0].contains(c))) {
+        ([line], Some(separator)) => Err(format!("the columns are apart by {separator:?}: {}", quoted(line))),
+        _ => places(&names.iter().map(String::as_str).collect::<Vec<_>>()),
+    }
+}
+
 /// What is wrong with a line, and what would be right.
 type Fault = (String, String);
 
@@ -71,24 +79,35 @@ impl CsvRays {
             left: u64::MAX,
             marks: Vec::new(),
         };
-        let found = rays.next_line()?;
-        let text = rays.text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&rays.text);
-        // NumPy writes a header as a comment.
-        let text = text.strip_prefix(b"#").unwrap_or(text);
-        let names: Vec<String> =
-            fields(text).map(|name| String::from_utf8_lossy(&name.text()).trim().to_owned()).collect();
-        let bad = |what: String| Error::bad(path.display().to_string(), "line 1", what, HEADER);
-        if !found {
-            return Err(bad("there is no header, the file is empty".to_owned()));
-        }
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        if let ([line], Some(separator)) = (&names[..], [';', '\t'].into_iter().find(|&c| names[0].contains(c))) {
-            let what = format!("the columns are apart by {separator:?}: {}", quoted(line));
-            return Err(bad(what));
-        }
-        rays.columns = places(&names).map_err(bad)?;
-        rays.names = names.into_iter().map(str::to_owned).collect();
+        let (names, columns) = rays.header()?;
+        (rays.names, rays.columns) = (names, columns);
         Ok(rays)
+    }
+
+    /// The columns' names, and which of a ray each is: in the first line that is no comment, or in a comment, as NumPy writes it.
+    fn header(&mut self) -> Result<(Vec<String>, Vec<Option<usize>>), Error> {
+        let path = self.path.display().to_string();
+        let mut in_comment = None;
+        while self.next_line()? {
+            let text = self.text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&self.text).trim_ascii();
+            let (text, is_comment) = text.strip_prefix(b"#").map_or((text, false), |text| (text, true));
+            let names: Vec<String> =
+                fields(text).map(|name| String::from_utf8_lossy(&name.text()).trim().to_owned()).collect();
+            let what = match columns(&names) {
+                Ok(columns) => return Ok((names, columns)),
+                Err(what) => what,
+            };
+            let bad = Error::bad(path.clone(), self.line(), what, HEADER);
+            let meant = names.iter().any(|name| RAY_COLUMNS.iter().any(|column| column.eq_ignore_ascii_case(name)));
+            match is_comment {
+                true if meant => in_comment = in_comment.or(Some(bad)),
+                true => {}
+                // A comment that was nearly a header tells more than the row after it.
+                false => return Err(in_comment.unwrap_or(bad)),
+            }
+        }
+        let empty = || Error::bad(path, "line 1", "there is no header, the file is empty".to_owned(), HEADER);
+        Err(in_comment.unwrap_or_else(empty))
     }
 
     /// Reads the next line that is not blank; `false` at the end.

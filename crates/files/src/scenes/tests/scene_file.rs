@@ -269,8 +269,14 @@ fn bad_cameras_are_named() {
 #[test]
 fn numbers_are_rounded_once() {
     // Just above the middle of two f32; f64 has the middle itself, which would go down.
-    let text = "[[geometry]]\nspheres = [[1.00000005960464477539062500001, 1_0.5, 16777217, 0.25]]\n";
+    let text = "[[geometry]]\nspheres = [[1.00000005960464477539062500001, 1_0.5, 16777217, 0.25]]\n\
+                [camera]\neye = [1.00000005960464477539062500001, 0x10, -5]\ntarget = [0, 1_0.5, 16777217]\n\
+                up = [\n  0, # the axis\n  1.00000005960464477539062500001, 0]\nfov_y = 1.00000005960464477539062500001\n";
     let loaded = scene(text).unwrap();
+    let up = 1.0 + f32::EPSILON;
+    let camera = loaded.camera.unwrap();
+    assert_eq!((camera.eye, camera.target), (Vec3::new(up, 16.0, -5.0), Vec3::new(0.0, 10.5, 16_777_216.0)));
+    assert_eq!((camera.up, camera.fov_y), (Vec3::new(0.0, up, 0.0), up));
     let [Geometry::Spheres(spheres)] = loaded.scene.geometries() else { panic!("{text}") };
     assert_eq!(spheres[0], sphere(1.0 + f32::EPSILON, 10.5, 16_777_216.0, 0.25));
 }

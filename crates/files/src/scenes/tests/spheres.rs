@@ -28,8 +28,13 @@ fn an_empty_table_is_a_table() {
     assert_eq!(npy("f.npy", &write::npy("<f4", "False", "(0, 4)", &[])).unwrap(), []);
     assert_eq!(csv("f.csv", b"x,y,z,r\n").unwrap(), []);
     assert_eq!(csv("f.csv", b"x, y, z, r").unwrap(), []);
-    for text in ["x,y,z,r\n1,2,3,4", "# Radius,id,Z,y,X\n# all\n4,7,3,2,1\n", "\u{feff}x,y,z,RADIUS,x2\n1,2,3,4,\n#\n"]
-    {
+    for text in [
+        "x,y,z,r\n1,2,3,4",
+        "# Radius,id,Z,y,X\n# all\n4,7,3,2,1\n",
+        "\u{feff}x,y,z,RADIUS,x2\n1,2,3,4,\n#\n",
+        "# made by hand\n\n# in 2026\nx,y,z,r\n1,2,3,4\n",
+        "# made by hand\n  # x,y,z,r\n1,2,3,4\n",
+    ] {
         assert_eq!(csv("f.csv", text.as_bytes()).unwrap(), [sphere([1.0, 2.0, 3.0, 4.0])], "{text}");
     }
 }
@@ -56,6 +61,11 @@ fn bad_rows_are_named() {
             "x,y,z,r\n0,0,0,1\n0,0,0,-1\n0,0,0,-2\n",
             "line 3: the radius -1.0 is negative (the first of 2); give a radius of zero or more".into(),
         ),
+        (
+            "# mine\n# x,y,z,r\n0,0,0,1\n0,0,0,-1\n",
+            "line 4: the radius -1.0 is negative; give a radius of zero or more".into(),
+        ),
+        ("# mine\nx,y,z\n", format!("line 2: the header is `x,y,z`; {expected}")),
         (
             "x,y,z,r\n0,0,inf,1\n",
             "line 2: the sphere (0.0, 0.0, inf, 1.0) is not finite; give x, y, z and radius as finite numbers \

@@ -25,12 +25,22 @@ fn comments_and_other_columns_are_passed_over() {
     let plain = read("ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n7,8,9,1,2,3\n").unwrap();
     for text in [
         "# ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n7,8,9,1,2,3\n",
+        "# made by hand, in 2026\n\n# Wx, Wy\nOX,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n7,8,9,1,2,3\n",
+        "# made by hand\n# ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n7,8,9,1,2,3\n",
         "OX,Oy,oz,DX,dy,dz\n# a comment, of all\n1,2,3,4,5,6\n  # 1,1,1,1,1,1\n7,8,9,1,2,3\n#",
         "id,ox,oy,oz,name,dx,dy,dz,w\n1,1,2,3,\"a ray\",4,5,6,x\n2,7,8,9,,1,2,3,nan\n",
     ] {
         assert_eq!(read(text).unwrap(), plain, "{text}");
     }
     assert_eq!(bad(read("ox,oy,oz,dx,dy,dz,w\n# 1\n1,2,3,4,5,6\n")).place, "line 3");
+}
+
+#[test]
+fn a_comment_that_is_nearly_a_header_is_what_is_told() {
+    let bad = bad(read("# mine\n# ox,oy,oz,dx,dy\n1,2,3,4,5,6\n"));
+    assert_eq!((bad.place.as_str(), bad.what.as_str()), ("line 2", "the column dz is missing"));
+    let bad = super::bad(read("# mine\n\n1,2,3,4,5,6\n"));
+    assert_eq!((bad.place.as_str(), bad.what.as_str()), ("line 3", "the column ox is missing"));
 }
 
 #[test]
