@@ -65,7 +65,7 @@ impl Bvh {
             return Err(TooLarge { primitives });
         }
         let packed = pack::Packed::new(scene, scaling);
-        Ok(build::build(packed))
+        Ok(build::tree(packed))
     }
 
     /// How many primitives of a kind the leaves hold.

@@ -1,6 +1,7 @@
 //! The bounding volume hierarchy that both engines walk: four children a node, boxes on an exact grid.
 //!
-//! Topology comes from `obvhs` (PLOC and reinsertion); boxes, layout and their conservativeness are ours:
+//! Which primitives lie together is decided by the surface area heuristic, in time linear in them whatever they are; what counts
+//! for the answers is that boxes are conservative:
 //!
 //! * A leaf's box is the exact box of its triangles, or of its spheres rounded outward.
 //! * A node stores its children's boxes as bytes on a grid `origin + q step`, `step` a power of two and `origin` a
@@ -13,6 +14,7 @@ mod build;
 mod bvh;
 mod node;
 mod pack;
+mod topology;
 
 pub use bvh::{Bvh, Scaling, TooLarge};
 pub use node::{COUNT_SHIFT, Child, EMPTY, INDEX_MASK, KIND_MASK, KIND_SHIFT, LEAF, Node};

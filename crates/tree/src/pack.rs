@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use rayproof_scene::{Geometry, Kind, Mesh, Scene, Sphere};
 
-use crate::{Bvh, Scaling};
+use crate::Scaling;
 
 /// A triangle by value, with its flat number. 48 bytes, as on the device.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -183,24 +183,11 @@ impl Packed {
         }
     }
 
-    /// Appends primitive `i` of a kind to those of a tree.
-    pub(crate) fn hand_over(&self, kind: Kind, i: usize, bvh: &mut Bvh) {
-        let originals = bvh.originals.as_mut().zip(self.originals.as_ref());
-        match kind {
-            Kind::Triangle => {
-                bvh.triangles.push(self.triangles[i]);
-                if let Some((to, from)) = originals {
-                    to.triangles.push(from.triangles[i]);
-                }
-            }
-            Kind::Sphere => {
-                bvh.spheres.push(self.spheres[i]);
-                bvh.sphere_ids.push(self.sphere_ids[i]);
-                if let Some((to, from)) = originals {
-                    to.spheres.push(from.spheres[i]);
-                }
-            }
-        }
+    /// The kind of a primitive by its number where the kinds are counted one after the other.
+    #[inline(always)]
+    pub(crate) fn kind(&self, number: usize) -> Kind {
+        let ends_after = |kind: &Kind| number < self.start(*kind) + self.count(*kind);
+        Kind::ALL.into_iter().find(ends_after).unwrap_or(Kind::Triangle)
     }
 }
 

@@ -79,7 +79,9 @@ impl Folder {
     fn command(&self, line: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_rayproof"));
         // As a shell has it, '' is an empty word.
-        command.args(line.split_whitespace().map(|word| if word == "''" { "" } else { word })).current_dir(self.0.path());
+        command
+            .args(line.split_whitespace().map(|word| if word == "''" { "" } else { word }))
+            .current_dir(self.0.path());
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
     }

@@ -7,6 +7,8 @@
 mod admission;
 mod csv_rays;
 mod format;
+#[cfg(feature = "parquet")]
+mod guarded;
 mod hit_writer;
 mod input;
 mod kept;

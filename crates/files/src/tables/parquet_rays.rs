@@ -1,7 +1,5 @@
-use std::fmt::Display;
 use std::fs::File;
 use std::ops::Range;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use arrow::array::{Array, Float32Array, Float64Array, RecordBatch};
@@ -13,6 +11,7 @@ use parquet::arrow::arrow_reader::{
 use parquet::errors::ParquetError;
 
 use super::admission::Admission;
+use super::guarded::guarded;
 use super::kept::{Kept, KeptColumns};
 use super::ray_reader::Source;
 use super::{BLOCK_ROWS, DEFAULT_ROW, RAY_COLUMNS, parquet_claims, places};
@@ -236,14 +235,6 @@ fn broken(path: &Path, error: &str) -> Error {
     let (what, expected) =
         (format!("it is not a Parquet file: {error}"), "give a whole Parquet file, not compressed or with snappy");
     Error::bad(path.display().to_string(), "footer", what, expected)
-}
-
-/// What the parquet crate answers. It panics on some damaged files, and a file is never a reason to crash.
-fn guarded<T, E: Display>(read: impl FnOnce() -> Result<T, E>) -> Result<T, String> {
-    match catch_unwind(AssertUnwindSafe(read)) {
-        Ok(result) => result.map_err(|error| error.to_string()),
-        Err(_) => Err("it is damaged".to_owned()),
-    }
 }
 
 /// For each column of the file its place in [`RAY_COLUMNS`], if it is of a ray; or what is wrong.

@@ -1,10 +1,12 @@
 //! Every primitive is found once, inside the boxes above it.
 
+use glam::Vec3;
 use rayproof_scene::random::Random;
-use rayproof_scene::{Geometry, Mesh, Scene, Sphere};
+use rayproof_scene::{Geometry, Kind, Mesh, Scene, Sphere};
 
-use super::*;
-use crate::Scaling;
+use crate::node::{Child, EMPTY};
+use crate::topology::DEEPEST;
+use crate::{Bvh, Scaling};
 
 /// A scene of both kinds, from a fixed seed, with duplicates and one far larger than the rest.
 fn scene(triangles: usize, spheres: usize) -> Scene {
@@ -97,11 +99,29 @@ fn copies_and_shapes_inside_each_other_make_no_deep_tree() {
         nested.vertices.extend([Vec3::ZERO, Vec3::new(s, 0.0, 0.0), Vec3::new(0.0, s, s)]);
         nested.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
-    let copies = Mesh::new([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]; 5000]);
-    let shells = (1..3000_u16).map(|i| Sphere::new([0.0; 3], f32::from(i))).collect();
+    let copies = Mesh::new([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]; 50_000]);
+    let shells = (1..30_000_u16).map(|i| Sphere::new([0.0; 3], f32::from(i))).collect();
     for geometry in [Geometry::Mesh(nested), Geometry::Mesh(copies), Geometry::Spheres(shells)] {
         let bvh = whole(geometry);
         // A node of four leaves three entries behind, and is one level of the binary tree at least.
-        assert!(bvh.stack_depth <= 3 * balance::DEEPEST as usize + 3, "{}", bvh.stack_depth);
+        assert!(bvh.stack_depth <= 3 * DEEPEST as usize + 3, "{}", bvh.stack_depth);
     }
+}
+
+#[test]
+fn what_is_large_lies_near_the_root() {
+    // A grid of small triangles over a large one: rays that meet its plane should not search the grid first.
+    let mut mesh = Mesh::new([[0.0; 3], [100.0, 0.0, 0.0], [0.0, 100.0, 0.0]], vec![[0, 1, 2]]);
+    for i in 0..2500_u16 {
+        let at = Vec3::new(f32::from(i % 50) * 2.0, f32::from(i / 50) * 2.0, 0.5);
+        let first = u32::try_from(mesh.vertices.len()).expect("few");
+        mesh.vertices.extend([at, at + Vec3::X, at + Vec3::new(0.0, 1.0, 1.0)]);
+        mesh.triangles.push([first, first + 1, first + 2]);
+    }
+    let bvh = whole(Geometry::Mesh(mesh));
+    let leaf_of_all = |word| match Child::from_word(word) {
+        Child::Leaf { first, count, .. } => bvh.triangles[first..first + count].iter().any(|t| t.id == 0),
+        _ => false,
+    };
+    assert!(bvh.nodes[0].children.into_iter().any(leaf_of_all), "{:?}", bvh.nodes[0]);
 }
