@@ -17,7 +17,12 @@ use crate::twin::bvh::traverse::{Stack, stack};
 const TASK: usize = 4096;
 
 /// Rays a block: few enough to stay in the nearest cache.
-const BLOCK: usize = 64;
+pub(crate) const BLOCK: usize = 64;
+
+/// Rays a task. Few rays may be hard ones: each core gets its share.
+pub(crate) fn task(rays: usize) -> usize {
+    (rays / (4 * crate::threads())).clamp(BLOCK, TASK)
+}
 
 /// A tree ready to be walked, and the precision whose formulas run at its leaves.
 #[derive(Clone, Debug)]
@@ -55,13 +60,13 @@ pub(crate) use by_formulas;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Path {
     /// The first left it open.
-    open: bool,
+    pub(crate) open: bool,
     /// How often only exact arithmetic could tell.
-    doubts: u32,
+    pub(crate) doubts: u32,
 }
 
 impl Path {
-    fn tally(self) -> Undecided {
+    pub(crate) fn tally(self) -> Undecided {
         let exact = u64::from(self.doubts > 0);
         Undecided { first_stage: u64::from(self.open), after_refine: exact, resolved_on_cpu: exact }
     }
@@ -170,8 +175,7 @@ impl Engine {
         finish: impl Fn(&Ray, B, &mut Path) -> A + Sync,
     ) -> Undecided {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
-        // Few rays may be hard ones: each core gets its share.
-        let task = (rays.len() / (4 * crate::threads())).clamp(BLOCK, TASK);
+        let task = task(rays.len());
         rays.par_chunks(task)
             .zip(answers.par_chunks_mut(task))
             .map_init(

@@ -23,6 +23,8 @@
 #![doc = include_str!("../README.md")]
 #![allow(clippy::suboptimal_flops, reason = "mul_add would round differently from the kernels")]
 
+mod branch;
+mod eight;
 mod engine;
 mod exact;
 mod f64x4;
@@ -34,6 +36,7 @@ mod primitives;
 mod simd;
 mod twin;
 
+pub use eight::Exact;
 pub use engine::Engine;
 
 /// How many threads the engine uses.

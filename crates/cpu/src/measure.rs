@@ -1,13 +1,14 @@
 //! What only measuring asks for: walks without a tree, and what single precision takes for crossings, which kernels do not ask.
 
-use rayproof_scene::{Kind, MISS, Precision, Ray};
+use rayproof_scene::{Kind, Precision, Ray};
 use rayproof_tree::LEAF;
 
 use crate::Engine;
+use crate::branch::Branch as _;
 use crate::engine::{Path, by_formulas};
 use crate::formulas::{Classic, Double, Fast, Formulas, Pair, Textbook};
 use crate::primitives::Primitives;
-use crate::twin::bvh::slab::{UnpackedNode, unit_direction};
+use crate::twin::bvh::slab::unit_direction;
 use crate::twin::bvh::traverse::{Found, Stack};
 use crate::twin::leaf::single::SingleRay;
 use crate::twin::leaf::word::{leaf_first, leaf_range};
@@ -16,7 +17,7 @@ impl Engine {
     /// This engine without its tree: every ray is tested with every primitive. It tells what the formulas cost by themselves.
     #[must_use]
     pub fn without_tree(self) -> Self {
-        let words = self.nodes.iter().flat_map(UnpackedNode::children).filter(|&word| word != MISS && word >= LEAF);
+        let words = self.nodes.iter().flat_map(|node| node.slots().map(|k| node.child(k))).filter(|&word| word >= LEAF);
         Self { every: Some(words.collect()), ..self }
     }
 

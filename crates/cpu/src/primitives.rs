@@ -1,11 +1,12 @@
 //! The primitives in the order of the tree's leaves, as each precision takes them.
 
+use rayon::prelude::*;
 use rayproof_scene::{Kind, Kinds, Sphere};
 use rayproof_tree::{Bvh, Child, Originals, PackedTriangle};
 
+use crate::branch::Branch;
 use crate::exact::resolve::Shape;
 use crate::lanes::Triangles4;
-use crate::twin::bvh::slab::UnpackedNode;
 use crate::twin::leaf::word::{place_index, place_kind};
 
 /// All primitives. The index in the place of a triangle is `4 leaf + lane`.
@@ -27,25 +28,23 @@ pub(crate) struct Primitives {
 
 impl Primitives {
     /// The primitives of a tree, and its nodes with words that name leaves of four lanes.
-    pub(crate) fn new(bvh: Bvh) -> (Self, Vec<UnpackedNode>) {
-        let mut nodes: Vec<UnpackedNode> = bvh.nodes.iter().map(UnpackedNode::new).collect();
+    pub(crate) fn new<N: Branch>(bvh: Bvh<N::Packed>) -> (Self, Vec<N>) {
+        let mut nodes: Vec<N> = bvh.nodes.par_iter().map(N::unpacked).collect();
         let mut ranges = Vec::with_capacity(bvh.triangles.len() / 2);
         for node in &mut nodes {
-            let mut children = node.children();
-            for word in &mut children {
-                let Child::Leaf { kind, first, count } = Child::from_word(*word) else { continue };
+            for k in 0..N::WIDTH {
+                let Child::Leaf { kind, first, count } = Child::from_word(node.child(k)) else { continue };
                 match kind {
                     Kind::Triangle => {
-                        *word = Child::Leaf { kind, first: ranges.len(), count }.word();
+                        node.set_child(k, Child::Leaf { kind, first: ranges.len(), count }.word());
                         ranges.push(first..first + count);
                     }
                     Kind::Sphere => {}
                 }
             }
-            node.set_children(children);
         }
         let lanes = |triangles: &[PackedTriangle]| {
-            ranges.iter().map(|range| Triangles4::new(&triangles[range.clone()])).collect::<Vec<_>>()
+            ranges.par_iter().map(|range| Triangles4::new(&triangles[range.clone()])).collect::<Vec<_>>()
         };
         let kinds = bvh.kinds();
         let Bvh { triangles, spheres, sphere_ids, originals, scale_exponent, .. } = bvh;

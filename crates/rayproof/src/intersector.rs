@@ -24,8 +24,38 @@ pub struct Intersector {
 
 pub(crate) enum Engine {
     Cpu(Box<rayproof_cpu::Engine>),
+    /// The CPU's own walk, for the precision `exact`.
+    Exact(Box<rayproof_cpu::Exact>),
     /// With the engine that gives the precision `exact` its last answers.
     Gpu(Box<crate::gpu::Engine>, Option<Box<rayproof_cpu::Engine>>),
+}
+
+impl Engine {
+    /// The engine that suits scene and precision, on the device if it does; and how many seconds its tree took.
+    fn on(device: &Device, scene: &Scene, precision: Precision) -> Result<(Self, DeviceInfo, f64), Error> {
+        let start = Instant::now();
+        let note = if device.is_cpu() {
+            None
+        } else {
+            let bvh = Bvh::new(scene, Scaling::of(precision))?;
+            let build_seconds = start.elapsed().as_secs_f64();
+            match suited(device, &bvh, precision)? {
+                Ok(gpu) => {
+                    let info = describe(gpu, precision);
+                    let engine = Box::new(crate::gpu::Engine::new(gpu.clone(), &bvh, precision)?);
+                    let last =
+                        (precision == Precision::Exact).then(|| rayproof_cpu::Engine::new(bvh, precision).into());
+                    return Ok((Self::Gpu(engine, last), info, build_seconds));
+                }
+                Err(note) => note,
+            }
+        };
+        let engine = match precision {
+            Precision::Exact => Self::Exact(rayproof_cpu::Exact::new(scene)?.into()),
+            _ => Self::Cpu(rayproof_cpu::Engine::new(Bvh::new(scene, Scaling::of(precision))?, precision).into()),
+        };
+        Ok((engine, cpu_info(note), start.elapsed().as_secs_f64()))
+    }
 }
 
 impl Intersector {
@@ -44,18 +74,7 @@ impl Intersector {
     /// # Errors
     /// When the device cannot hold the scene, or fails.
     pub fn on(device: &Device, scene: &Scene, precision: Precision) -> Result<Self, Error> {
-        let start = Instant::now();
-        let bvh = Bvh::new(scene, Scaling::of(precision))?;
-        let build_seconds = start.elapsed().as_secs_f64();
-        let (engine, info) = match suited(device, &bvh, precision)? {
-            Ok(gpu) => {
-                let info = describe(gpu, precision);
-                let engine = Box::new(crate::gpu::Engine::new(gpu.clone(), &bvh, precision)?);
-                let last = (precision == Precision::Exact).then(|| rayproof_cpu::Engine::new(bvh, precision).into());
-                (Engine::Gpu(engine, last), info)
-            }
-            Err(note) => (Engine::Cpu(Box::new(rayproof_cpu::Engine::new(bvh, precision))), cpu_info(note)),
-        };
+        let (engine, info, build_seconds) = Engine::on(device, scene, precision)?;
         Ok(Self {
             engine,
             info,
@@ -69,10 +88,13 @@ impl Intersector {
     }
 
     /// This scene in another precision, on the CPU engine; the two share one tree. `None` where that takes a tree of its
-    /// own: on a device, and where one precision scales the scene and the other does not.
+    /// own: on a device, where one precision scales the scene and the other does not, and for `exact`.
     #[must_use]
     pub fn with_precision(&self, precision: Precision) -> Option<Self> {
         let Engine::Cpu(engine) = &self.engine else { return None };
+        if precision == Precision::Exact {
+            return None;
+        }
         let engine = Engine::Cpu(Box::new(engine.with_precision(precision)?));
         Some(Self {
             engine,
@@ -134,6 +156,7 @@ impl Intersector {
             miss,
             |engine, rays, hits| engine.closest_as(rays, hits, &make),
             |engine, rays, hits| engine.closest_as(rays, hits, &make),
+            |engine, rays, hits| engine.closest_as(rays, hits, &make),
         )
     }
 
@@ -145,7 +168,7 @@ impl Intersector {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Result<Undecided, Error> {
-        self.answer(rays, hits, 0, rayproof_cpu::Engine::any, crate::gpu::Engine::any)
+        self.answer(rays, hits, 0, rayproof_cpu::Exact::any, rayproof_cpu::Engine::any, crate::gpu::Engine::any)
     }
 
     /// How often each ray crosses the surface: through a shared edge or vertex of a closed mesh once, at a tangent of a sphere
@@ -158,7 +181,8 @@ impl Intersector {
     /// When `rays` and `counts` differ in length.
     pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Result<Undecided, Error> {
         self.check_exact()?;
-        self.answer(rays, counts, 0, rayproof_cpu::Engine::count, crate::gpu::Engine::count)
+        let (exact, on_cpu) = (rayproof_cpu::Exact::count, rayproof_cpu::Engine::count);
+        self.answer(rays, counts, 0, exact, on_cpu, crate::gpu::Engine::count)
     }
 
     /// Asks the engine, and the CPU for what a device leaves open.
@@ -167,11 +191,13 @@ impl Intersector {
         rays: &[Ray],
         answers: &mut [A],
         miss: A,
+        exact: impl Fn(&rayproof_cpu::Exact, &[Ray], &mut [A]) -> Undecided,
         on_cpu: impl Fn(&rayproof_cpu::Engine, &[Ray], &mut [A]) -> Undecided,
         on_device: impl Fn(&crate::gpu::Engine, &[Ray], &mut [A]) -> Result<Open, crate::gpu::Error>,
     ) -> Result<Undecided, Error> {
         let rays = &*self.admit(rays)?;
         match &self.engine {
+            Engine::Exact(engine) => Ok(exact(engine, rays, answers)),
             Engine::Cpu(engine) => Ok(on_cpu(engine, rays, answers)),
             Engine::Gpu(engine, last) => {
                 let open = on_device(engine, rays, answers)?;
@@ -204,6 +230,7 @@ impl Intersector {
         self.check_exact()?;
         let rays = &*self.admit(rays)?;
         match &self.engine {
+            Engine::Exact(engine) => engine.deciding_stages(rays, stages),
             Engine::Cpu(engine) => engine.deciding_stages(rays, stages),
             Engine::Gpu(engine, _) => {
                 stages.fill(1);

@@ -24,14 +24,15 @@ impl Intersector {
     #[must_use]
     pub fn without_tree(mut self) -> Self {
         self.engine = match self.engine {
+            Engine::Exact(engine) => Engine::Exact(Box::new(engine.without_tree())),
             Engine::Cpu(engine) => Engine::Cpu(Box::new(engine.without_tree())),
             Engine::Gpu(engine, last) => Engine::Gpu(Box::new(engine.without_tree()), last),
         };
         self
     }
 
-    /// How many primitives claim that a ray hits them in range, by the formulas of the precision (those of `fast` for `exact`):
-    /// unlike [`count`](Self::count) no count of crossings, but what single precision takes for one. Only the CPU engine tells.
+    /// How many primitives claim that a ray hits them in range, by the formulas of the precision: no count of crossings, but
+    /// what it takes for one. Those of `exact` are its [`count`](Self::count). Only the CPU engine tells.
     ///
     /// # Errors
     /// [`Error::OnDevice`].
@@ -44,6 +45,10 @@ impl Intersector {
                 engine.claims(rays, claims);
                 Ok(())
             }
+            Engine::Exact(engine) => {
+                engine.count(rays, claims);
+                Ok(())
+            }
             Engine::Gpu(..) => Err(Error::OnDevice),
         }
     }
@@ -52,7 +57,7 @@ impl Intersector {
     #[must_use]
     pub fn kernel_seconds(&self) -> Option<f64> {
         match &self.engine {
-            Engine::Cpu(_) => None,
+            Engine::Cpu(_) | Engine::Exact(_) => None,
             Engine::Gpu(engine, _) => engine.kernel_seconds(),
         }
     }

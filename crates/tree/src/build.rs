@@ -1,21 +1,29 @@
-//! The tree that every device walks: four children a node, boxes on a grid.
+//! A tree of so many children a node, with its primitives in the order of the leaves.
 
+use glam::Vec3;
 use rayon::prelude::*;
 use rayproof_scene::Kind;
 
-use crate::node::{Child, EMPTY, Node};
+use crate::node::{Child, EMPTY};
 use crate::pack::Packed;
-use crate::topology::{Below, Item, Wide, build};
+use crate::topology::{Below, Item, Slot, Wide, build};
 use crate::{Bvh, Originals};
 
-/// Builds the tree, and puts primitives in leaf order.
-pub(crate) fn tree(packed: Packed) -> Bvh {
+/// Builds the tree, and puts primitives in leaf order; `make` makes a node of its children's boxes and words.
+pub(crate) fn tree<const N: usize, Node: Send>(
+    packed: Packed,
+    make: impl Fn(&[[Vec3; 2]], [u32; N]) -> Node + Sync,
+) -> Bvh<Node> {
     let mut items = items(&packed);
     let kind = |number: u32| packed.kind(number as usize) as usize;
-    let wide: Vec<Wide<4>> = build(&mut items, &kind);
+    let wide: Vec<Wide<N>> = build(&mut items, &kind);
     let stack_depth = stack_depth(&wide);
     let places = Places::of(&items, &packed);
-    let nodes = wide.par_iter().enumerate().map(|(at, node)| packed_node(at, node, &items, &places, &packed)).collect();
+    let node = |(at, node): (usize, &Wide<N>)| {
+        let (boxes, words) = named(at, node, &items, &places, &packed);
+        make(&boxes[..node.children().len()], words)
+    };
+    let nodes = wide.par_iter().enumerate().map(node).collect();
     let order = |kind: Kind| -> Vec<usize> {
         let start = packed.start(kind);
         let of_kind = |item: &&Item| packed.kind(item.number() as usize) == kind;
@@ -79,22 +87,23 @@ impl Places {
     }
 }
 
-fn packed_node(at: usize, node: &Wide<4>, items: &[Item], places: &Places, packed: &Packed) -> Node {
-    let mut boxes = [[glam::Vec3::ZERO; 2]; 4];
-    let mut children = [EMPTY; 4];
-    let slots = node.children();
-    for (i, slot) in slots.iter().enumerate() {
-        boxes[i] = slot.bounds;
-        children[i] = match slot.below {
-            Below::Nothing => EMPTY,
-            Below::Node(after) => Child::Node(at + after).word(),
-            Below::Leaf { first, count } => {
-                let kind = packed.kind(items[first].number() as usize);
-                Child::Leaf { kind, first: places.at(first), count }.word()
-            }
-        };
-    }
-    Node::new(&boxes[..slots.len()], children)
+/// The boxes and the words of a node's children.
+fn named<const N: usize>(
+    at: usize,
+    node: &Wide<N>,
+    items: &[Item],
+    places: &Places,
+    packed: &Packed,
+) -> ([[Vec3; 2]; N], [u32; N]) {
+    let word = |slot: &Slot| match slot.below {
+        Below::Nothing => EMPTY,
+        Below::Node(after) => Child::Node(at + after).word(),
+        Below::Leaf { first, count } => {
+            let kind = packed.kind(items[first].number() as usize);
+            Child::Leaf { kind, first: places.at(first), count }.word()
+        }
+    };
+    (node.slots.map(|slot| slot.bounds), node.slots.each_ref().map(word))
 }
 
 /// How many entries a walk leaves behind at most: of each node above, all children but the one that it goes to.

@@ -1,14 +1,15 @@
 use rayproof_scene::{Kind, Kinds, Precision, Scene, Sphere};
 
-use crate::{Node, Originals, PackedTriangle, build, node, pack};
+use crate::{EightBoxes, Node, Originals, PackedTriangle, build, node, pack};
 
 /// A scene made ready for traversal: the tree, and its primitives in leaf order.
 ///
-/// Coordinates are those of the scene times `2^scale_exponent` (exact; see [`Bvh::new`]).
+/// Coordinates are those of the scene times `2^scale_exponent` (exact; see [`Bvh::new`]). Its nodes have four children, as every
+/// device walks them, or [eight](EightBoxes).
 #[derive(Clone, Debug)]
-pub struct Bvh {
-    /// The nodes; the root is the first. A scene without primitives has a root of four empty children.
-    pub nodes: Vec<Node>,
+pub struct Bvh<N = Node> {
+    /// The nodes; the root is the first. A scene without primitives has a root of empty children.
+    pub nodes: Vec<N>,
     /// The triangles that leaves name, with their flat numbers.
     pub triangles: Vec<PackedTriangle>,
     /// The spheres that leaves name.
@@ -59,15 +60,30 @@ impl Bvh {
     /// # Errors
     /// When the scene has more than 2^28 - 2 primitives of a kind, or 2^32 - 2 in all: what a child can name.
     pub fn new(scene: &Scene, scaling: Scaling) -> Result<Self, TooLarge> {
-        let primitives = scene.len();
-        let too_many = |kind| scene.count(kind) >= node::MAX_FIRST;
-        if primitives >= u32::MAX as usize || Kind::ALL.into_iter().any(too_many) {
-            return Err(TooLarge { primitives });
-        }
-        let packed = pack::Packed::new(scene, scaling);
-        Ok(build::tree(packed))
+        Ok(build::tree(packed(scene, scaling)?, Node::new))
     }
+}
 
+impl Bvh<EightBoxes> {
+    /// As [`Bvh::new`], with eight children a node.
+    ///
+    /// # Errors
+    /// Where [`Bvh::new`] fails.
+    pub fn eight(scene: &Scene, scaling: Scaling) -> Result<Self, TooLarge> {
+        Ok(build::tree(packed(scene, scaling)?, EightBoxes::new))
+    }
+}
+
+fn packed(scene: &Scene, scaling: Scaling) -> Result<pack::Packed, TooLarge> {
+    let primitives = scene.len();
+    let too_many = |kind| scene.count(kind) >= node::MAX_FIRST;
+    if primitives >= u32::MAX as usize || Kind::ALL.into_iter().any(too_many) {
+        return Err(TooLarge { primitives });
+    }
+    Ok(pack::Packed::new(scene, scaling))
+}
+
+impl<N> Bvh<N> {
     /// How many primitives of a kind the leaves hold.
     #[must_use]
     pub const fn count(&self, kind: Kind) -> usize {

@@ -17,5 +17,5 @@ mod pack;
 mod topology;
 
 pub use bvh::{Bvh, Scaling, TooLarge};
-pub use node::{COUNT_SHIFT, Child, EMPTY, INDEX_MASK, KIND_MASK, KIND_SHIFT, LEAF, Node};
+pub use node::{COUNT_SHIFT, Child, EMPTY, EightBoxes, INDEX_MASK, KIND_MASK, KIND_SHIFT, LEAF, Node};
 pub use pack::{Originals, PackedTriangle};

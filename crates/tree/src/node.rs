@@ -128,6 +128,23 @@ impl Node {
     }
 }
 
+/// An inner node of eight children with their boxes as they are, for processors: the first slots are in use.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EightBoxes {
+    /// The boxes, `[low, high]`; nothing in a slot that is empty.
+    pub boxes: [[Vec3; 2]; 8],
+    /// What each slot holds; see [`Child`].
+    pub children: [u32; 8],
+}
+
+impl EightBoxes {
+    pub(crate) fn new(boxes: &[[Vec3; 2]], children: [u32; 8]) -> Self {
+        let mut all = [[Vec3::ZERO; 2]; 8];
+        all[..boxes.len()].copy_from_slice(boxes);
+        Self { boxes: all, children }
+    }
+}
+
 /// The smallest power of two on whose grid `low..high` spans at most 255 cells and each plane is an `f32`.
 ///
 /// Quotients by a power of two are exact in `f64`, so floor and ceil are too.

@@ -11,6 +11,7 @@ use crate::twin::bvh::every;
 use crate::twin::bvh::slab::{UnitDirection, unit_direction};
 use crate::twin::bvh::traverse::{Found, PreparedRay, Stack, traverse};
 use crate::twin::exact;
+use crate::twin::exact::leaf::TakeLeaf as _;
 use crate::twin::exact::leaf::crossings::Crossings;
 use crate::twin::exact::leaf::nearest::Nearest;
 use crate::twin::exact::line::takes_chords;
@@ -113,10 +114,7 @@ impl Engine {
             &first,
             Nearest::<ANY>::start(&first),
             #[inline(always)]
-            |kind, ray: &_, word, found| match kind {
-                Kind::Triangle => exact::leaf::triangles::intersect_triangles(leaves, ray, word, found),
-                Kind::Sphere => exact::leaf::spheres::intersect_spheres(spheres, ray, word, found),
-            },
+            |kind, ray: &_, word, found| found.take_leaf(kind, leaves, spheres, ray, word),
         );
         if found.decided() {
             return found.slot;
@@ -149,7 +147,7 @@ impl Engine {
     fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
+        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&*self.nodes, &self.primitives, &ray);
         path.doubts += found.doubts;
         found.slot()
     }
@@ -166,10 +164,7 @@ impl Engine {
                 &first,
                 Crossings::start(&first),
                 #[inline(always)]
-                |kind, ray: &_, word, found| match kind {
-                    Kind::Triangle => exact::leaf::triangles::intersect_triangles(leaves, ray, word, found),
-                    Kind::Sphere => exact::leaf::spheres::intersect_spheres(spheres, ray, word, found),
-                },
+                |kind, ray: &_, word, found| found.take_leaf(kind, leaves, spheres, ray, word),
             );
             if !found.open {
                 return found.count;
@@ -177,6 +172,6 @@ impl Engine {
         }
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        second::count(&self.nodes, &self.primitives, &ray, &mut path.doubts)
+        second::count(&*self.nodes, &self.primitives, &ray, &mut path.doubts)
     }
 }

@@ -13,9 +13,9 @@ use rayproof_tree::LEAF;
 
 use super::resolve::{self, ExactRay, Shape};
 use super::wide::Wide;
+use crate::branch::Branch;
 use crate::lanes::Corners;
 use crate::primitives::Primitives;
-use crate::twin::bvh::slab::UnpackedNode;
 use crate::twin::bvh::traverse::Found;
 use crate::twin::exact::leaf::both_roots::both_roots;
 use crate::twin::exact::leaf::candidate::{Candidate, candidate_at};
@@ -199,7 +199,7 @@ impl<const ANY: bool> SecondNearest<ANY> {
     }
 
     /// With what all leaves add: the walk in `f64`.
-    pub(crate) fn all(self, nodes: &[UnpackedNode], primitives: &Primitives, ray: &SecondRay) -> Self {
+    pub(crate) fn all(self, nodes: &[impl Branch], primitives: &Primitives, ray: &SecondRay) -> Self {
         let mut found = self;
         walk(nodes, ray, |word| {
             found = found.leaf(primitives, ray, word);
@@ -236,7 +236,7 @@ fn goes_first(primitives: &Primitives, ray: &SecondRay, found: &Winner, before: 
 }
 
 /// How often the surface is crossed.
-pub(crate) fn count(nodes: &[UnpackedNode], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
+pub(crate) fn count(nodes: &[impl Branch], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
     let mut count = 0;
     walk(nodes, ray, |word| {
         for slot in slots(word) {
@@ -263,7 +263,7 @@ fn slots(word: u32) -> impl Iterator<Item = u32> {
 ///
 /// A plane is off by three roundings relative to its `t'`, which the pad covers; an axis along which the ray does not move is
 /// compared as it is. Scaling a subnormal down rounds, by less than `2^-148`: the boxes grow by that.
-fn walk(nodes: &[UnpackedNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
+fn walk(nodes: &[impl Branch], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f64) {
     let mut reach = ray.exact.t_max;
     let inverse = ray.exact.direction.map(|d| 1.0 / d);
     let mut stack = Vec::with_capacity(64);
@@ -278,13 +278,9 @@ fn walk(nodes: &[UnpackedNode], ray: &SecondRay, mut leaf: impl FnMut(u32) -> f6
         }
         let node = &nodes[word as usize];
         let base = stack.len();
-        for k in 0..4 {
-            let word = node.child(k);
-            if word == MISS {
-                continue;
-            }
+        for k in node.slots() {
             if let Some(enter) = entered(&ray.exact, inverse, node.child_box(k), reach) {
-                stack.push((enter, word));
+                stack.push((enter, node.child(k)));
             }
         }
         stack[base..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0));

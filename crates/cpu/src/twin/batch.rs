@@ -16,7 +16,7 @@ pub(crate) struct Params {
 }
 
 impl Params {
-    pub(crate) fn new(bvh: &Bvh) -> Self {
+    pub(crate) fn new<N>(bvh: &Bvh<N>) -> Self {
         Self {
             scene_exponent: bvh.scale_exponent,
             scene_size: bvh.size,

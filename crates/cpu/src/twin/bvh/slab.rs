@@ -4,14 +4,15 @@ use glam::{Vec3, Vec3A, Vec4};
 use rayproof_scene::MISS;
 use rayproof_tree::Node;
 
+use crate::branch::Branch;
 use crate::twin::batch::Params;
 use crate::twin::exact::number::Number as _;
 use crate::twin::math::{exponent_of, largest, power_of_two, select};
 
 const SMALLEST_DIRECTION: f32 = power_of_two(-62);
 pub(crate) const FARTHEST: f32 = power_of_two(127);
-const NARROW: f32 = 1.0 - 16.0 * power_of_two(-23);
-const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
+pub(crate) const NARROW: f32 = 1.0 - 16.0 * power_of_two(-23);
+pub(crate) const WIDEN: f32 = 1.0 + 16.0 * power_of_two(-23);
 
 /// A node with its planes decoded, four children abreast: decoding is exact, so doing it once changes no bit. An empty
 /// slot's box is inside out: entered at infinity, left at minus infinity.
@@ -22,14 +23,17 @@ pub(crate) struct UnpackedNode {
     planes: [Vec4; 8],
 }
 
-impl UnpackedNode {
-    pub(crate) fn new(node: &Node) -> Self {
+impl Branch for UnpackedNode {
+    type Packed = Node;
+    const WIDTH: usize = 4;
+
+    fn unpacked(node: &Node) -> Self {
         let boxes = [0, 1, 2, 3].map(|k| match node.children[k] {
             MISS => [Vec3::INFINITY, Vec3::NEG_INFINITY],
             _ => node.child_box(k),
         });
         let planes = |side: usize, axis: usize| Vec4::from(boxes.map(|b| b[side][axis]));
-        let mut unpacked = Self {
+        Self {
             planes: [
                 planes(0, 0),
                 planes(1, 0),
@@ -37,44 +41,37 @@ impl UnpackedNode {
                 planes(1, 1),
                 planes(0, 2),
                 planes(1, 2),
-                Vec4::ZERO,
+                Vec4::from_array(node.children.map(f32::from_bits)),
                 Vec4::ZERO,
             ],
-        };
-        unpacked.set_children(node.children);
-        unpacked
+        }
     }
 
     #[inline(always)]
-    pub(crate) fn child(&self, k: usize) -> u32 {
+    fn child(&self, k: usize) -> u32 {
         self.planes[6].as_ref()[k & 3].to_bits()
     }
 
-    /// The box of child `k`.
     #[inline(always)]
-    pub(crate) fn child_box(&self, k: usize) -> [[f32; 3]; 2] {
+    fn child_box(&self, k: usize) -> [[f32; 3]; 2] {
         [0, 1].map(|side| [0, 1, 2].map(|axis| self.planes[2 * axis + side][k]))
     }
 
-    pub(crate) fn children(&self) -> [u32; 4] {
-        self.planes[6].to_array().map(f32::to_bits)
-    }
-
-    pub(crate) fn set_children(&mut self, words: [u32; 4]) {
-        self.planes[6] = Vec4::from_array(words.map(f32::from_bits));
+    fn set_child(&mut self, k: usize, word: u32) {
+        self.planes[6][k] = f32::from_bits(word);
     }
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxRay {
     /// What the planes that the ray meets first on each axis are measured from, and those it meets last.
-    from_near: Vec3A,
-    from_far: Vec3A,
+    pub(crate) from_near: Vec3A,
+    pub(crate) from_far: Vec3A,
     /// Which of [`UnpackedNode::planes`] are met first; the other of a pair is met last. The kernel's `back`.
-    near: [usize; 3],
-    inverse: Vec3A,
-    s_min: f32,
-    slack: f32,
+    pub(crate) near: [usize; 3],
+    pub(crate) inverse: Vec3A,
+    pub(crate) s_min: f32,
+    pub(crate) slack: f32,
 }
 
 #[derive(Clone, Copy, Debug)]

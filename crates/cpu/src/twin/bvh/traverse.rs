@@ -4,6 +4,7 @@ use glam::Vec3A;
 use rayproof_tree::LEAF;
 
 use super::slab::{BoxRay, FARTHEST, Keys, UnitDirection, UnpackedNode, box_ray, child_keys};
+use crate::branch::Branch as _;
 use crate::twin::batch::Params;
 use crate::twin::math::scale_by_power;
 
@@ -71,7 +72,7 @@ pub(crate) fn traverse<R: PreparedRay, F: Found>(
 
 /// What has been found, in box units: never below the key of the walk's last entry, or the walk would not end there.
 #[inline(always)]
-fn box_reach<F: Found>(found: &F, n: i32) -> f32 {
+pub(crate) fn box_reach<F: Found>(found: &F, n: i32) -> f32 {
     scale_by_power(found.reach(), n).clamp(-FARTHEST, FARTHEST)
 }
 
