@@ -32,6 +32,7 @@ mod formulas;
 mod lanes;
 #[cfg(feature = "measure")]
 mod measure;
+mod pages;
 mod primitives;
 mod simd;
 mod twin;

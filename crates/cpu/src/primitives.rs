@@ -7,6 +7,7 @@ use rayproof_tree::{Bvh, Child, Originals, PackedTriangle};
 use crate::branch::Branch;
 use crate::exact::resolve::Shape;
 use crate::lanes::Triangles4;
+use crate::pages::in_large_pages;
 use crate::twin::leaf::word::{place_index, place_kind};
 
 /// All primitives. The index in the place of a triangle is `4 leaf + lane`.
@@ -29,7 +30,7 @@ pub(crate) struct Primitives {
 impl Primitives {
     /// The primitives of a tree, and its nodes with words that name leaves of four lanes.
     pub(crate) fn new<N: Branch>(bvh: Bvh<N::Packed>) -> (Self, Vec<N>) {
-        let mut nodes: Vec<N> = bvh.nodes.par_iter().map(N::unpacked).collect();
+        let mut nodes = in_large_pages(bvh.nodes.par_iter().map(N::unpacked));
         let mut ranges = Vec::with_capacity(bvh.triangles.len() / 2);
         for node in &mut nodes {
             for k in 0..N::WIDTH {
@@ -44,7 +45,7 @@ impl Primitives {
             }
         }
         let lanes = |triangles: &[PackedTriangle]| {
-            ranges.par_iter().map(|range| Triangles4::new(&triangles[range.clone()])).collect::<Vec<_>>()
+            in_large_pages(ranges.par_iter().map(|range| Triangles4::new(&triangles[range.clone()])))
         };
         let kinds = bvh.kinds();
         let Bvh { triangles, spheres, sphere_ids, originals, scale_exponent, .. } = bvh;

@@ -8,7 +8,7 @@ mod zeros;
 
 use rayproof::Precision;
 use rayproof::scene::{FlatHit, Ray, Scene, Undecided};
-use rayproof_cpu::Engine as Cpu;
+use rayproof_cpu::{Engine as Cpu, Exact as Own};
 use rayproof_gpu::Engine as Device;
 use rayproof_oracle::{ExactHit, Oracle};
 use rayproof_tree::{Bvh, Scaling};
@@ -20,9 +20,12 @@ pub(crate) fn rays(few: usize, all: usize) -> usize {
     if std::env::var_os("RAYPROOF_THOROUGH").is_some() { all } else { few }
 }
 
-/// A scene in both engines.
+/// A scene in all engines.
 pub(crate) struct Engines {
+    /// The kernels' twin, which gives devices their last answers.
     pub(crate) cpu: Cpu,
+    /// The CPU's own walk, with the processor's instructions, and with those that every processor has.
+    own: [Own; 2],
     /// None where the scene is not one for which the precision runs on a device.
     device: Option<Device>,
 }
@@ -62,14 +65,32 @@ impl Engines {
     pub(crate) fn new(scene: &Scene) -> Self {
         let bvh = Bvh::new(scene, Scaling::of(Precision::Exact)).expect("small");
         let device = bvh.plain.then(|| Device::new(gpu(), &bvh, Precision::Exact).expect("the scene fits the device"));
-        Self { cpu: Cpu::new(bvh, Precision::Exact), device }
+        let own = Own::new(scene).expect("small");
+        let own = [own.clone(), own.with_plain_instructions()];
+        Self { cpu: Cpu::new(bvh, Precision::Exact), own, device }
     }
 
+    /// The twin's answers, which are those of the CPU's own walk in every bit.
     pub(crate) fn on_cpu(&self, rays: &[Ray]) -> Answers {
         let mut answers = Answers::none(rays);
         answers.undecided = self.cpu.closest(rays, &mut answers.hits);
         self.cpu.any(rays, &mut answers.any);
         self.cpu.count(rays, &mut answers.counts);
+        for (own, what) in self.own.iter().zip(["the CPU's own walk", "the same, plain instructions"]) {
+            let mut found = Answers::none(rays);
+            own.closest(rays, &mut found.hits);
+            own.any(rays, &mut found.any);
+            own.count(rays, &mut found.counts);
+            for (i, ray) in rays.iter().enumerate() {
+                assert!(
+                    found.hits[i].same_bits(&answers.hits[i]),
+                    "{what}: {ray:?}: {:?}, not {:?}",
+                    found.hits[i],
+                    answers.hits[i]
+                );
+                assert_eq!((found.any[i], found.counts[i]), (answers.any[i], answers.counts[i]), "{what}: {ray:?}");
+            }
+        }
         answers
     }
 

@@ -31,7 +31,7 @@ use crate::twin::leaf::word::{leaf_kind, place_kind};
 /// A scene ready for the precision `exact`, on all cores.
 #[derive(Clone, Debug)]
 pub struct Exact {
-    nodes: Arc<[EightNode]>,
+    nodes: Arc<Vec<EightNode>>,
     primitives: Arc<Primitives>,
     stack_depth: usize,
     params: Params,
@@ -281,7 +281,7 @@ impl Exact {
     fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&*self.nodes, &self.primitives, &ray);
+        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
         path.doubts += found.doubts;
         found.slot()
     }
@@ -347,7 +347,7 @@ impl Question for Count<'_> {
         }
         path.open = true;
         let ray = SecondRay::new(ray, primitives.scale, params.chords);
-        second::count(&**nodes, primitives, &ray, &mut path.doubts)
+        second::count(nodes, primitives, &ray, &mut path.doubts)
     }
     #[inline(always)]
     fn finish(&self, _: &Ray, count: u32, _: &mut Path) -> u32 {
