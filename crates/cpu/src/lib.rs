@@ -4,7 +4,8 @@
 //! that its answers equal the device's in every bit wherever the device's arithmetic is IEEE. The derivations stand in the WGSL
 //! headers. Beside it stand what kernels do not have: four triangles abreast, and the later stages of the precision `exact`.
 //!
-//! [`Engine`] holds a scene's tree; [`Engine::closest`], [`Engine::any`] and [`Engine::count`] answer batches of rays.
+//! [`Engine`] holds a scene's tree; [`Engine::closest`], [`Engine::any`] and [`Engine::count`] answer batches of rays. For the precision
+//! `exact` there is [`Exact`], with a tree of its own and the same answers, faster.
 //!
 //! ```
 //! use glam::Vec3;

@@ -1,10 +1,10 @@
-//! The bounding volume hierarchy that both engines walk: four children a node, boxes on an exact grid.
+//! The bounding volume hierarchy that engines walk: four children a node and boxes on an exact grid, or eight and boxes as they are.
 //!
 //! Which primitives lie together is decided by the surface area heuristic, in time linear in them whatever they are; what counts
 //! for the answers is that boxes are conservative:
 //!
 //! * A leaf's box is the exact box of its triangles, or of its spheres rounded outward.
-//! * A node stores its children's boxes as bytes on a grid `origin + q step`, `step` a power of two and `origin` a
+//! * A node of four stores its children's boxes as bytes on a grid `origin + q step`, `step` a power of two and `origin` a
 //!   multiple of it no larger than `2^24 step`, so decoding is exact in `f32`: nothing but the slab test can round, and
 //!   `shaders/bvh/slab.wgsl` derives the pad that covers it.
 //!

@@ -89,7 +89,7 @@ impl Exact {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn closest_as<A: Send>(&self, rays: &[Ray], hits: &mut [A], make: impl Fn(FlatHit) -> A + Sync) -> Undecided {
-        self.batch(rays, hits, &Closest(self, make))
+        self.batch(rays, hits, &AskClosest(self, make))
     }
 
     /// Whether each ray hits anything: 1 or 0.
@@ -97,7 +97,7 @@ impl Exact {
     /// # Panics
     /// When `rays` and `hits` differ in length.
     pub fn any(&self, rays: &[Ray], hits: &mut [u8]) -> Undecided {
-        self.batch(rays, hits, &Any(self))
+        self.batch(rays, hits, &AskAny(self))
     }
 
     /// How often each ray crosses the surface: through a shared edge or vertex of a closed mesh once; at a tangent of a sphere twice.
@@ -105,7 +105,7 @@ impl Exact {
     /// # Panics
     /// When `rays` and `counts` differ in length.
     pub fn count(&self, rays: &[Ray], counts: &mut [u32]) -> Undecided {
-        self.batch(rays, counts, &Count(self))
+        self.batch(rays, counts, &AskCount(self))
     }
 
     /// Which stage of the cascade decides the closest hit of each ray: 1 in `f32`, 2 in `f64`, 3 exactly.
@@ -113,7 +113,7 @@ impl Exact {
     /// # Panics
     /// When `rays` and `stages` differ in length.
     pub fn deciding_stages(&self, rays: &[Ray], stages: &mut [u8]) {
-        self.batch(rays, stages, &Stages(self));
+        self.batch(rays, stages, &AskStages(self));
     }
 
     fn batch<Q: Question>(&self, rays: &[Ray], answers: &mut [Q::Answer], question: &Q) -> Undecided {
@@ -296,9 +296,9 @@ impl Exact {
     }
 }
 
-struct Closest<'a, M>(&'a Exact, M);
+struct AskClosest<'a, M>(&'a Exact, M);
 
-impl<A: Send, M: Fn(FlatHit) -> A + Sync> Question for Closest<'_, M> {
+impl<A: Send, M: Fn(FlatHit) -> A + Sync> Question for AskClosest<'_, M> {
     type Found = u32;
     type Answer = A;
     const NOTHING: u32 = MISS;
@@ -312,9 +312,9 @@ impl<A: Send, M: Fn(FlatHit) -> A + Sync> Question for Closest<'_, M> {
     }
 }
 
-struct Any<'a>(&'a Exact);
+struct AskAny<'a>(&'a Exact);
 
-impl Question for Any<'_> {
+impl Question for AskAny<'_> {
     type Found = u8;
     type Answer = u8;
     const NOTHING: u8 = 0;
@@ -328,9 +328,9 @@ impl Question for Any<'_> {
     }
 }
 
-struct Count<'a>(&'a Exact);
+struct AskCount<'a>(&'a Exact);
 
-impl Question for Count<'_> {
+impl Question for AskCount<'_> {
     type Found = u32;
     type Answer = u32;
     const NOTHING: u32 = 0;
@@ -355,9 +355,9 @@ impl Question for Count<'_> {
     }
 }
 
-struct Stages<'a>(&'a Exact);
+struct AskStages<'a>(&'a Exact);
 
-impl Question for Stages<'_> {
+impl Question for AskStages<'_> {
     type Found = u8;
     type Answer = u8;
     const NOTHING: u8 = 0;
