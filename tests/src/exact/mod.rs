@@ -24,8 +24,8 @@ pub(crate) fn rays(few: usize, all: usize) -> usize {
 pub(crate) struct Engines {
     /// The kernels' twin, which gives devices their last answers.
     pub(crate) cpu: Cpu,
-    /// The CPU's own walk, with the processor's instructions, and with those that every processor has.
-    own: [Own; 2],
+    /// The CPU's own walk: one ray at a time, several in turns, and with the instructions that every processor has.
+    own: [Own; 3],
     /// None where the scene is not one for which the precision runs on a device.
     device: Option<Device>,
 }
@@ -66,7 +66,8 @@ impl Engines {
         let bvh = Bvh::new(scene, Scaling::of(Precision::Exact)).expect("small");
         let device = bvh.plain.then(|| Device::new(gpu(), &bvh, Precision::Exact).expect("the scene fits the device"));
         let own = Own::new(scene).expect("small");
-        let own = [own.clone(), own.with_plain_instructions()];
+        let plain = own.clone().with_plain_instructions().with_turns(true);
+        let own = [own.clone().with_turns(false), own.with_turns(true), plain];
         Self { cpu: Cpu::new(bvh, Precision::Exact), own, device }
     }
 
@@ -76,7 +77,7 @@ impl Engines {
         answers.undecided = self.cpu.closest(rays, &mut answers.hits);
         self.cpu.any(rays, &mut answers.any);
         self.cpu.count(rays, &mut answers.counts);
-        for (own, what) in self.own.iter().zip(["the CPU's own walk", "the same, plain instructions"]) {
+        for (own, what) in self.own.iter().zip(["one at a time", "in turns", "in turns, plain instructions"]) {
             let mut found = Answers::none(rays);
             own.closest(rays, &mut found.hits);
             own.any(rays, &mut found.any);

@@ -10,6 +10,7 @@ use rayproof_tree::{Bvh, LEAF, Scaling, TooLarge};
 use super::isa::Avx2;
 use super::isa::{Isa, Plain};
 use super::node::EightNode;
+use super::turns::{LANES, Lane, Pace};
 use super::walk::{Walked, traverse};
 #[cfg(feature = "measure")]
 use crate::branch::Branch as _;
@@ -37,6 +38,8 @@ pub struct Exact {
     params: Params,
     /// Whether wider instructions are left alone, as on a processor that has none.
     plain: bool,
+    /// Whether rays go in turns; none where the clock decides.
+    turns: Option<bool>,
     /// The words of all leaves, where each is visited by every ray.
     every: Option<Vec<u32>>,
 }
@@ -47,6 +50,10 @@ trait Question: Sync {
     type Answer: Send;
     const NOTHING: Self::Found;
     fn find<I: Isa>(&self, isa: I, ray: &Ray, stack: &mut Stack, path: &mut Path) -> Self::Found;
+    /// What is found of a block, its rays in turns; whether that can be asked so.
+    fn find_in_turns<I: Isa>(&self, _: I, _: &[Ray], _: &mut [Self::Found], _: &mut [Stack], _: &mut [Path]) -> bool {
+        false
+    }
     fn finish(&self, ray: &Ray, found: Self::Found, path: &mut Path) -> Self::Answer;
 }
 
@@ -59,13 +66,27 @@ impl Exact {
         let bvh = Bvh::eight(scene, Scaling::PowerOfTwo)?;
         let (stack_depth, params) = (bvh.stack_depth, Params::new(&bvh));
         let (primitives, nodes) = Primitives::new(bvh);
-        Ok(Self { nodes: nodes.into(), primitives: primitives.into(), stack_depth, params, plain: false, every: None })
+        Ok(Self {
+            nodes: nodes.into(),
+            primitives: primitives.into(),
+            stack_depth,
+            params,
+            plain: false,
+            turns: None,
+            every: None,
+        })
     }
 
     /// This engine with what every processor has: the bits are the same.
     #[must_use]
     pub fn with_plain_instructions(self) -> Self {
         Self { plain: true, ..self }
+    }
+
+    /// This engine with its rays in turns, or one at a time, whatever is faster: the bits are the same.
+    #[must_use]
+    pub fn with_turns(self, turns: bool) -> Self {
+        Self { turns: Some(turns), ..self }
     }
 
     /// This engine without its tree: every ray is tested with every primitive. It tells what the tests cost by themselves.
@@ -136,12 +157,16 @@ impl Exact {
         assert_eq!(rays.len(), answers.len(), "one answer a ray");
         let task = task(rays.len());
         let tasks = rays.par_chunks(task).zip(answers.par_chunks_mut(task));
+        let pace = Pace::default();
         tasks
             .map_init(
                 // Eight are kept at a time before the nearest is taken.
-                || stack(self.stack_depth + 8),
-                |stack, (rays, answers)| {
+                || [(); LANES].map(|()| stack(self.stack_depth + 8)),
+                |stacks, (rays, answers)| {
                     let mut undecided = Undecided::default();
+                    let chosen = pace.choose();
+                    // Without a tree nothing is waited for.
+                    let in_turns = self.every.is_none() && self.turns.unwrap_or(chosen.in_turns);
                     isa.run(
                         // What is not inlined here is compiled without the instructions.
                         #[inline(always)]
@@ -149,8 +174,10 @@ impl Exact {
                             for (rays, answers) in rays.chunks(BLOCK).zip(answers.chunks_mut(BLOCK)) {
                                 let mut paths = [Path::default(); BLOCK];
                                 let mut found = [Q::NOTHING; BLOCK];
-                                for ((ray, found), path) in rays.iter().zip(&mut found).zip(&mut paths) {
-                                    *found = question.find(isa, ray, stack, path);
+                                if !(in_turns && question.find_in_turns(isa, rays, &mut found, stacks, &mut paths)) {
+                                    for ((ray, found), path) in rays.iter().zip(&mut found).zip(&mut paths) {
+                                        *found = question.find(isa, ray, &mut stacks[0], path);
+                                    }
                                 }
                                 for (((ray, answer), found), path) in
                                     rays.iter().zip(answers).zip(found).zip(&mut paths)
@@ -161,6 +188,7 @@ impl Exact {
                             }
                         },
                     );
+                    pace.done(chosen);
                     undecided
                 },
             )
@@ -286,6 +314,86 @@ impl Exact {
         found.slot()
     }
 
+    /// The places of the primitives that rays hit first, the rays in turns.
+    #[inline(always)]
+    fn slots_in_turns<I: Isa, const ANY: bool>(
+        &self,
+        isa: I,
+        rays: &[Ray],
+        stacks: &mut [Stack],
+        paths: &mut [Path],
+        slots: &mut [u32],
+    ) {
+        match self.primitives.kinds.only() {
+            Some(Kind::Triangle) => self.turns_by::<I, ANY>(isa, rays, stacks, paths, slots, |_| Kind::Triangle),
+            Some(Kind::Sphere) => self.turns_by::<I, ANY>(isa, rays, stacks, paths, slots, |_| Kind::Sphere),
+            None => self.turns_by::<I, ANY>(isa, rays, stacks, paths, slots, leaf_kind),
+        }
+    }
+
+    #[inline(always)]
+    fn turns_by<I: Isa, const ANY: bool>(
+        &self,
+        isa: I,
+        rays: &[Ray],
+        stacks: &mut [Stack],
+        paths: &mut [Path],
+        slots: &mut [u32],
+        kind: impl Fn(u32) -> Kind + Copy,
+    ) {
+        let Primitives { leaves, spheres, .. } = &*self.primitives;
+        let tree = Walked { params: &self.params, nodes: &self.nodes, leaves };
+        let mut next = 0;
+        let mut lanes: [Option<Lane<I, ANY>>; LANES] = [None; LANES];
+        let mut left = 0;
+        for (stack, lane) in lanes.iter_mut().enumerate() {
+            *lane = self.next_lane(isa, &tree, rays, stack, &mut next, paths, slots);
+            left += usize::from(lane.is_some());
+        }
+        while left > 0 {
+            for place in &mut lanes {
+                let Some(lane) = place else { continue };
+                if !lane.step(isa, &tree, spheres, &mut stacks[lane.stack], kind) {
+                    continue;
+                }
+                let (index, stack) = (lane.index, lane.stack);
+                slots[index] = if lane.found.decided() {
+                    lane.found.slot
+                } else {
+                    let Lane { unit, first, found, .. } = &*lane;
+                    self.narrow_slot(isa, &rays[index], unit, first, found, &mut stacks[stack], &mut paths[index])
+                };
+                *place = self.next_lane(isa, &tree, rays, stack, &mut next, paths, slots);
+                left -= usize::from(place.is_none());
+            }
+        }
+    }
+
+    /// The next ray that is for the first stage; those before it are answered.
+    #[inline(always)]
+    #[expect(clippy::too_many_arguments, reason = "all that a block has")]
+    fn next_lane<I: Isa, const ANY: bool>(
+        &self,
+        isa: I,
+        tree: &Walked<'_>,
+        rays: &[Ray],
+        stack: usize,
+        next: &mut usize,
+        paths: &mut [Path],
+        slots: &mut [u32],
+    ) -> Option<Lane<I, ANY>> {
+        while let Some(ray) = rays.get(*next) {
+            let index = *next;
+            *next += 1;
+            let lane = Lane::start(isa, tree, index, ray, stack);
+            if lane.is_some() {
+                return lane;
+            }
+            slots[index] = self.second_slot::<ANY>(ray, &mut paths[index]);
+        }
+        None
+    }
+
     /// The hit of the primitive in a place, which is hit in range.
     #[inline(always)]
     fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> FlatHit {
@@ -307,6 +415,18 @@ impl<A: Send, M: Fn(FlatHit) -> A + Sync> Question for AskClosest<'_, M> {
         self.0.slot::<I, false>(isa, ray, stack, path)
     }
     #[inline(always)]
+    fn find_in_turns<I: Isa>(
+        &self,
+        isa: I,
+        rays: &[Ray],
+        found: &mut [u32],
+        stacks: &mut [Stack],
+        paths: &mut [Path],
+    ) -> bool {
+        self.0.slots_in_turns::<I, false>(isa, rays, stacks, paths, found);
+        true
+    }
+    #[inline(always)]
     fn finish(&self, ray: &Ray, slot: u32, path: &mut Path) -> A {
         (self.1)(if slot == MISS { FlatHit::MISS } else { self.0.round(ray, slot, path) })
     }
@@ -315,16 +435,28 @@ impl<A: Send, M: Fn(FlatHit) -> A + Sync> Question for AskClosest<'_, M> {
 struct AskAny<'a>(&'a Exact);
 
 impl Question for AskAny<'_> {
-    type Found = u8;
+    type Found = u32;
     type Answer = u8;
-    const NOTHING: u8 = 0;
+    const NOTHING: u32 = MISS;
     #[inline(always)]
-    fn find<I: Isa>(&self, isa: I, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u8 {
-        u8::from(self.0.slot::<I, true>(isa, ray, stack, path) != MISS)
+    fn find<I: Isa>(&self, isa: I, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u32 {
+        self.0.slot::<I, true>(isa, ray, stack, path)
     }
     #[inline(always)]
-    fn finish(&self, _: &Ray, hit: u8, _: &mut Path) -> u8 {
-        hit
+    fn find_in_turns<I: Isa>(
+        &self,
+        isa: I,
+        rays: &[Ray],
+        found: &mut [u32],
+        stacks: &mut [Stack],
+        paths: &mut [Path],
+    ) -> bool {
+        self.0.slots_in_turns::<I, true>(isa, rays, stacks, paths, found);
+        true
+    }
+    #[inline(always)]
+    fn finish(&self, _: &Ray, slot: u32, _: &mut Path) -> u8 {
+        u8::from(slot != MISS)
     }
 }
 

@@ -7,6 +7,7 @@
 mod engine;
 mod isa;
 mod node;
+mod turns;
 mod walk;
 
 pub use self::engine::Exact;

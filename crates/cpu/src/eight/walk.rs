@@ -13,7 +13,7 @@ use crate::twin::bvh::traverse::{Found, PreparedRay, Stack, box_reach};
 use crate::twin::leaf::word::{leaf_first, leaf_kind};
 use crate::twin::math::scale_by_power;
 
-const DONE: u32 = u32::MAX;
+pub(super) const DONE: u32 = u32::MAX;
 
 /// The tree, with what brings a leaf nearer before it is needed.
 pub(super) struct Walked<'a> {
@@ -30,6 +30,18 @@ impl Walked<'_> {
         }
         if let (Kind::Triangle, Some(leaf)) = (leaf_kind(word), self.leaves.get(leaf_first(word))) {
             isa.prefetch(leaf);
+        }
+    }
+
+    /// Where a ray goes next, of several in turns.
+    #[inline(always)]
+    pub(super) fn prefetch_next<I: Isa>(&self, isa: I, word: u32) {
+        if word < LEAF {
+            if let Some(node) = self.nodes.get(word as usize) {
+                isa.prefetch(node);
+            }
+        } else if word != DONE {
+            self.prefetch(isa, word);
         }
     }
 }
@@ -75,7 +87,7 @@ pub(super) fn traverse<I: Isa, R: PreparedRay, F: Found>(
 
 /// The nearest child that is met, the others kept, the farthest below; where none is met, the next entry kept.
 #[inline(always)]
-fn descend<I: Isa>(
+pub(super) fn descend<I: Isa>(
     isa: I,
     tree: &Walked<'_>,
     node: &EightNode,
@@ -116,7 +128,7 @@ fn descend<I: Isa>(
 }
 
 #[inline(always)]
-fn pop(stack: &Stack, top: &mut usize, s_max: f32) -> u32 {
+pub(super) fn pop(stack: &Stack, top: &mut usize, s_max: f32) -> u32 {
     loop {
         *top -= 1;
         let (key, word) = stack[*top];
