@@ -93,14 +93,21 @@ fn leave<I: Isa>(isa: I, ray: &EightRay<I>, node: &EightNode, axis: usize) -> I:
     isa.mul(isa.sub(plane, ray.from_far[axis]), ray.inverse[axis])
 }
 
-/// The children that a ray meets before `s_max`, a bit each, and where it enters each at the earliest.
+/// The children that a ray meets, a bit each, and where it enters each at the earliest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Met {
+    pub(super) bits: u32,
+    pub(super) keys: Eight,
+}
+
+/// The children that a ray meets before `s_max`.
 #[inline(always)]
-pub(super) fn child_keys<I: Isa>(isa: I, ray: &EightRay<I>, node: &EightNode, s_max: f32) -> (u32, Eight) {
+pub(super) fn child_keys<I: Isa>(isa: I, ray: &EightRay<I>, node: &EightNode, s_max: f32) -> Met {
     let enter = isa.max(isa.max(enter(isa, ray, node, 0), enter(isa, ray, node, 1)), enter(isa, ray, node, 2));
     let leave = isa.min(isa.min(leave(isa, ray, node, 0), leave(isa, ray, node, 1)), leave(isa, ray, node, 2));
     // Which factor is the earlier one depends on the sign: it is the one that gives less.
     let near = isa.sub(isa.min(isa.mul(enter, ray.narrow), isa.mul(enter, ray.widen)), ray.slack);
     let far = isa.add(isa.max(isa.mul(leave, ray.narrow), isa.mul(leave, ray.widen)), ray.slack);
-    let met = isa.at_most(near, isa.min(far, isa.splat(s_max))) & isa.at_most(ray.s_min, far);
-    (met, isa.store(near))
+    let bits = isa.at_most(near, isa.min(far, isa.splat(s_max))) & isa.at_most(ray.s_min, far);
+    Met { bits, keys: isa.store(near) }
 }

@@ -67,8 +67,8 @@ impl<I: Isa, const ANY: bool> Lane<I, ANY> {
         }
         if self.current < LEAF {
             let node = &tree.nodes[self.current as usize];
-            let (met, keys) = child_keys(isa, &self.boxes, node, self.s_max);
-            self.current = descend(isa, tree, node, met, &keys.0, stack, &mut self.top, self.s_max);
+            let met = child_keys(isa, &self.boxes, node, self.s_max);
+            self.current = descend(isa, tree, node, met, stack, &mut self.top, self.s_max);
         } else {
             let word = self.current;
             self.found = self.found.take_leaf(kind(word), tree.leaves, spheres, &self.first, word);

@@ -3,8 +3,8 @@
 use rayproof_scene::Kind;
 use rayproof_tree::LEAF;
 
-use super::isa::Isa;
-use super::node::{EightNode, EightRay, child_keys};
+use super::isa::{Eight, Isa};
+use super::node::{EightNode, EightRay, Met, child_keys};
 use crate::branch::Branch as _;
 use crate::lanes::Triangles4;
 use crate::twin::batch::Params;
@@ -69,8 +69,8 @@ pub(super) fn traverse<I: Isa, R: PreparedRay, F: Found>(
     loop {
         while current < LEAF {
             let node = &tree.nodes[current as usize];
-            let (met, keys) = child_keys(isa, &boxes, node, s_max);
-            current = descend(isa, tree, node, met, &keys.0, stack, &mut top, s_max);
+            let met = child_keys(isa, &boxes, node, s_max);
+            current = descend(isa, tree, node, met, stack, &mut top, s_max);
         }
         if current == DONE {
             break;
@@ -91,8 +91,7 @@ pub(super) fn descend<I: Isa>(
     isa: I,
     tree: &Walked<'_>,
     node: &EightNode,
-    mut met: u32,
-    keys: &[f32; 8],
+    Met { bits: mut met, keys: Eight(keys) }: Met,
     stack: &mut Stack,
     top: &mut usize,
     s_max: f32,

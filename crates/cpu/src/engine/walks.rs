@@ -147,7 +147,7 @@ impl Engine {
     fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&*self.nodes, &self.primitives, &ray);
+        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
         path.doubts += found.doubts;
         found.slot()
     }
@@ -172,6 +172,6 @@ impl Engine {
         }
         path.open = true;
         let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        second::count(&*self.nodes, &self.primitives, &ray, &mut path.doubts)
+        second::count(&self.nodes, &self.primitives, &ray, &mut path.doubts)
     }
 }
