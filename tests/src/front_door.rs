@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// How many crates the library is built from without its default features, itself included, as the README says.
-const SMALL: usize = 22;
+const SMALL: usize = 23;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()

@@ -35,7 +35,7 @@ impl Engine {
     fn on(device: &Device, scene: &Scene, precision: Precision) -> Result<(Self, DeviceInfo, f64), Error> {
         let start = Instant::now();
         let note = if device.is_cpu() {
-            None
+            device.note.clone()
         } else {
             let bvh = Bvh::new(scene, Scaling::of(precision))?;
             let build_seconds = start.elapsed().as_secs_f64();
