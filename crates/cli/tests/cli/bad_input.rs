@@ -82,6 +82,8 @@ fn directories_and_empty_names() {
         ("rays '' -o new.npy", "'': "),
         ("render '' -o new.png", "'': "),
         ("info ''", "'': "),
+        ("intersect - rays.csv -o hits.npy", "-: stdin: a scene is not read from stdin"),
+        ("info -", "give a scene: .obj, "),
         ("info folder.obj", "folder.obj"),
         ("report --quick --device cpu --scene ''", "'': "),
     ] {

@@ -156,6 +156,10 @@ fn named(name: &str) -> Result<(), String> {
 }
 
 fn unknown_ending(file: String, ending: &str, expected: &str) -> Error {
+    if file == "-" {
+        let what = "a scene is not read from stdin: the ending of its name says what it is, and it names other files";
+        return Error::bad(file, "stdin", what, expected);
+    }
     let what = if ending.is_empty() {
         "there is none".into()
     } else {
