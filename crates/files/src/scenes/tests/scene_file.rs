@@ -98,7 +98,9 @@ fn unknown_endings_are_named() {
         message(load(Path::new("a.fbx"))),
         format!("a.fbx: the file's ending: `.fbx` is not one we read; {known}")
     );
-    assert_eq!(message(load(Path::new("-"))), format!("-: the file's ending: there is none; {known}"));
+    assert_eq!(message(load(Path::new("a"))), format!("a: the file's ending: there is none; {known}"));
+    let stdin = "a scene is not read from stdin: the ending of its name says what it is, and it names other files";
+    assert_eq!(message(load(Path::new("-"))), format!("-: stdin: {stdin}; {known}"));
     for (text, expected) in [
         (
             "[[geometry]]\nmesh = \"a.npy\"",
