@@ -1,5 +1,8 @@
 //! Code compiled once more for wider instruction sets, chosen when it runs.
-#![expect(unsafe_code, reason = "a function compiled for AVX2 is called once the processor is known to have it")]
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(unsafe_code, reason = "a function compiled for AVX2 is called once the processor is known to have it")
+)]
 
 /// Runs `work`, compiled for AVX2 where the processor has it: three-operand instructions, the same operations. Neither
 /// version fuses anything, so the bits are the same.

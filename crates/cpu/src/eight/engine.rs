@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 use rayproof_scene::{FlatHit, Kind, MISS, Ray, Scene, Undecided};
-use rayproof_tree::{Bvh, LEAF, Scaling, TooLarge};
+#[cfg(feature = "measure")]
+use rayproof_tree::LEAF;
+use rayproof_tree::{Bvh, Scaling, TooLarge};
 
 #[cfg(target_arch = "x86_64")]
 use super::isa::Avx2;
@@ -37,6 +39,7 @@ pub struct Exact {
     stack_depth: usize,
     params: Params,
     /// Whether wider instructions are left alone, as on a processor that has none.
+    #[cfg_attr(not(target_arch = "x86_64"), expect(dead_code, reason = "there is nothing else"))]
     plain: bool,
     /// Whether rays go in turns; none where the clock decides.
     turns: Option<bool>,

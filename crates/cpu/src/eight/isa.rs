@@ -1,5 +1,8 @@
 //! Eight numbers abreast, by what the processor has. No instruction set fuses or approximates anything: the bits are the same.
-#![expect(unsafe_code, reason = "instructions are used once the processor is known to have them")]
+#![cfg_attr(
+    target_arch = "x86_64",
+    expect(unsafe_code, reason = "instructions are used once the processor is known to have them")
+)]
 
 /// Eight numbers in memory.
 #[derive(Clone, Copy, Debug)]
