@@ -97,10 +97,10 @@ fn named<const N: usize>(
 ) -> ([[Vec3; 2]; N], [u32; N]) {
     let word = |slot: &Slot| match slot.below {
         Below::Nothing => EMPTY,
-        Below::Node(after) => Child::Node(at + after).word(),
+        Below::Node(after) => Child::Node(at + after as usize).word(),
         Below::Leaf { first, count } => {
-            let kind = packed.kind(items[first].number() as usize);
-            Child::Leaf { kind, first: places.at(first), count }.word()
+            let kind = packed.kind(items[first as usize].number() as usize);
+            Child::Leaf { kind, first: places.at(first as usize), count: count as usize }.word()
         }
     };
     (node.slots.map(|slot| slot.bounds), node.slots.each_ref().map(word))
@@ -115,7 +115,7 @@ fn stack_depth<const N: usize>(nodes: &[Wide<N>]) -> usize {
         deepest = deepest.max(left);
         for slot in node.children() {
             if let Below::Node(after) = slot.below {
-                above[at + after] = left;
+                above[at + after as usize] = left;
             }
         }
     }

@@ -69,7 +69,8 @@ fn walk(bvh: &Bvh) -> Vec<u32> {
 
 #[test]
 fn every_primitive_is_found_once_inside_its_boxes() {
-    for (triangles, spheres) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 3), (4, 0), (5, 0), (500, 0), (0, 500), (700, 600)]
+    for (triangles, spheres) in
+        [(0, 0), (1, 0), (0, 1), (1, 1), (2, 3), (4, 0), (5, 0), (500, 0), (0, 500), (700, 600), (9000, 7000)]
     {
         let scene = scene(triangles, spheres);
         for scaling in [Scaling::None, Scaling::PowerOfTwo] {

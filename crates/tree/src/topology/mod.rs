@@ -20,7 +20,7 @@ pub(crate) const LEAF_SIZE: u32 = 4;
 /// deeper.
 pub(crate) const DEEPEST: u32 = 48;
 
-/// From this many on, the children of a node are built side by side.
+/// Groups of fewer than this are each built by one core.
 const MANY: usize = 1 << 12;
 
 /// What a slot of a node names.
@@ -28,11 +28,11 @@ const MANY: usize = 1 << 12;
 pub(crate) enum Below {
     Nothing,
     /// The node so many places after this one.
-    Node(usize),
+    Node(u32),
     /// `count` items from `first` on, of one kind.
     Leaf {
-        first: usize,
-        count: usize,
+        first: u32,
+        count: u32,
     },
 }
 
@@ -79,63 +79,77 @@ struct Group<'a> {
 /// Builds the tree over items, and puts them in the order of its leaves; `kind` tells a primitive's by its number. The root is the
 /// first node, and children come after their parents.
 pub(crate) fn build<const N: usize>(items: &mut [Item], kind: &(impl Fn(u32) -> usize + Sync)) -> Vec<Wide<N>> {
-    let extents = split::all(items);
-    let mut nodes = Vec::with_capacity(items.len() / 4 + 1);
     if items.is_empty() {
-        nodes.push(Wide { slots: [NOTHING; N] });
-    } else {
-        grow(Group::new(items, 0, extents, DEEPEST, kind), kind, &mut nodes);
+        return vec![Wide { slots: [NOTHING; N] }];
+    }
+    let extents = split::all(items);
+    let mut nodes: Vec<Wide<N>> = Vec::new();
+    // Level by level while groups are large; the others wait, each with the slot that it is for.
+    let mut level = vec![(Group::new(items, 0, extents, DEEPEST, kind), None)];
+    let mut waiting: Vec<(Group<'_>, (usize, usize))> = Vec::new();
+    while !level.is_empty() {
+        let opened: Vec<_> = level.into_par_iter().map(|(group, slot)| (open::<N>(group, kind), slot)).collect();
+        level = Vec::new();
+        for (groups, slot) in opened {
+            let at = nodes.len();
+            nodes.push(node_of(&groups));
+            link(&mut nodes, slot, at);
+            for (i, group) in groups.into_iter().enumerate().filter(|(_, group)| group.leaf().is_none()) {
+                if group.items.len() < MANY {
+                    waiting.push((group, (at, i)));
+                } else {
+                    level.push((group, Some((at, i))));
+                }
+            }
+        }
+    }
+    let alone = |(group, slot): (Group<'_>, _)| {
+        let mut below = Vec::new();
+        grow(group, kind, &mut below);
+        (below, slot)
+    };
+    let built: Vec<_> = waiting.into_par_iter().map(alone).collect();
+    nodes.reserve_exact(built.iter().map(|(below, _)| below.len()).sum());
+    for (below, slot) in built {
+        let at = nodes.len();
+        link(&mut nodes, Some(slot), at);
+        nodes.extend_from_slice(&below);
     }
     nodes
 }
 
+/// The node of groups, of which the leaves are named.
+fn node_of<const N: usize>(groups: &[Group<'_>]) -> Wide<N> {
+    let mut slots = [NOTHING; N];
+    for (slot, group) in slots.iter_mut().zip(groups) {
+        // What is no leaf is linked once its place is known.
+        let below = group.leaf().unwrap_or(Below::Node(0));
+        *slot = Slot { bounds: group.extents.bounds.corners(), below };
+    }
+    Wide { slots }
+}
+
+/// Names the node at a place as what is below a slot of a node before it.
+fn link<const N: usize>(nodes: &mut [Wide<N>], slot: Option<(usize, usize)>, at: usize) {
+    if let Some((node, slot)) = slot {
+        nodes[node].slots[slot].below = Below::Node(number(at - node));
+    }
+}
+
+fn number(place: usize) -> u32 {
+    u32::try_from(place).expect("there are fewer nodes than primitives, and those are numbered in 32 bits")
+}
+
 /// Appends the node of a group and all below it.
-fn grow<const N: usize>(group: Group<'_>, kind: &(impl Fn(u32) -> usize + Sync), nodes: &mut Vec<Wide<N>>) {
-    let is_large = group.items.len() >= MANY;
+fn grow<const N: usize>(group: Group<'_>, kind: &impl Fn(u32) -> usize, nodes: &mut Vec<Wide<N>>) {
     let groups = open::<N>(group, kind);
     let at = nodes.len();
-    let mut node = Wide { slots: [NOTHING; N] };
-    nodes.push(node);
-    let bounds: Vec<[Vec3; 2]> = groups.iter().map(|group| group.extents.bounds.corners()).collect();
-    let mut add = |i: usize, below| node.slots[i] = Slot { bounds: bounds[i], below };
-    if is_large {
-        let below: Vec<Built<N>> = groups.into_par_iter().map(|group| alone(group, kind)).collect();
-        for (i, below) in below.into_iter().enumerate() {
-            match below {
-                Built::Leaf(leaf) => add(i, leaf),
-                Built::Nodes(below) => {
-                    add(i, Below::Node(nodes.len() - at));
-                    nodes.extend_from_slice(&below);
-                }
-            }
-        }
-    } else {
-        for (i, group) in groups.into_iter().enumerate() {
-            match group.leaf() {
-                Some(leaf) => add(i, leaf),
-                None => {
-                    add(i, Below::Node(nodes.len() - at));
-                    grow(group, kind, nodes);
-                }
-            }
-        }
+    nodes.push(node_of(&groups));
+    for (i, group) in groups.into_iter().enumerate().filter(|(_, group)| group.leaf().is_none()) {
+        let below = nodes.len();
+        link(nodes, Some((at, i)), below);
+        grow(group, kind, nodes);
     }
-    nodes[at] = node;
-}
-
-/// What was built beside others.
-enum Built<const N: usize> {
-    Leaf(Below),
-    Nodes(Vec<Wide<N>>),
-}
-
-fn alone<const N: usize>(group: Group<'_>, kind: &(impl Fn(u32) -> usize + Sync)) -> Built<N> {
-    if let Some(leaf) = group.leaf() {
-        return Built::Leaf(leaf);
-    }
-    let mut nodes = Vec::with_capacity(group.items.len() / 4 + 1);
-    grow(group, kind, &mut nodes);
-    Built::Nodes(nodes)
 }
 
 /// The children of a group's node: the one with the largest surface is cut, until there are `N` or all are leaves.
@@ -182,7 +196,7 @@ impl<'a> Group<'a> {
 
     /// The leaf that it is, if a node of its own would be no gain.
     fn leaf(&self) -> Option<Below> {
-        (self.parts >= WITHOUT).then_some(Below::Leaf { first: self.first, count: self.items.len() })
+        (self.parts >= WITHOUT).then(|| Below::Leaf { first: number(self.first), count: number(self.items.len()) })
     }
 
     fn cut(self, kind: &impl Fn(u32) -> usize) -> [Self; 2] {
