@@ -12,6 +12,7 @@ use rayproof_tree::{Bvh, Scaling, TooLarge};
 use super::isa::Avx2;
 use super::isa::{Isa, Plain};
 use super::node::EightNode;
+use super::spot::OnTheSpot;
 use super::turns::{LANES, Lane, Pace};
 use super::walk::{Walked, traverse};
 #[cfg(feature = "measure")]
@@ -213,7 +214,7 @@ impl Exact {
         if let Some(words) = every {
             return every::traverse(words, ray, start, |ray: &R, word, found| leaf(leaf_kind(word), ray, word, found));
         }
-        let tree = Walked { params, nodes, leaves: &primitives.leaves };
+        let tree = Walked { params, nodes, primitives };
         match primitives.kinds.only() {
             Some(Kind::Triangle) => traverse(
                 isa,
@@ -278,11 +279,13 @@ impl Exact {
         if !first.ordinary {
             return self.second_slot::<ANY>(ray, path);
         }
-        let found = self.first(isa, stack, &unit, &first, Nearest::<ANY>::start(&first));
-        if found.decided() {
-            return found.slot;
+        let start = OnTheSpot::<ANY>::start(&self.primitives, ray, unit.exponent, &first);
+        let found = self.first(isa, stack, &unit, &first, start);
+        path.open = found.needed();
+        if found.nearest.decided() {
+            return found.nearest.slot;
         }
-        self.narrow_slot(isa, ray, &unit, &first, &found, stack, path)
+        self.narrow_slot(isa, ray, &unit, &first, &found.nearest, stack, path)
     }
 
     /// The closest hit of a ray that the first stage left open: only between the two ends that it found.
@@ -344,10 +347,9 @@ impl Exact {
         slots: &mut [u32],
         kind: impl Fn(u32) -> Kind + Copy,
     ) {
-        let Primitives { leaves, spheres, .. } = &*self.primitives;
-        let tree = Walked { params: &self.params, nodes: &self.nodes, leaves };
+        let tree = Walked { params: &self.params, nodes: &self.nodes, primitives: &self.primitives };
         let mut next = 0;
-        let mut lanes: [Option<Lane<I, ANY>>; LANES] = [None; LANES];
+        let mut lanes: [Option<Lane<'_, I, ANY>>; LANES] = [None; LANES];
         let mut left = 0;
         for (stack, lane) in lanes.iter_mut().enumerate() {
             *lane = self.next_lane(isa, &tree, rays, stack, &mut next, paths, slots);
@@ -356,15 +358,24 @@ impl Exact {
         while left > 0 {
             for place in &mut lanes {
                 let Some(lane) = place else { continue };
-                if !lane.step(isa, &tree, spheres, &mut stacks[lane.stack], kind) {
+                if !lane.step(isa, &tree, &mut stacks[lane.stack], kind) {
                     continue;
                 }
                 let (index, stack) = (lane.index, lane.stack);
-                slots[index] = if lane.found.decided() {
-                    lane.found.slot
+                paths[index].open = lane.found.needed();
+                slots[index] = if lane.found.nearest.decided() {
+                    lane.found.nearest.slot
                 } else {
                     let Lane { unit, first, found, .. } = &*lane;
-                    self.narrow_slot(isa, &rays[index], unit, first, found, &mut stacks[stack], &mut paths[index])
+                    self.narrow_slot(
+                        isa,
+                        &rays[index],
+                        unit,
+                        first,
+                        &found.nearest,
+                        &mut stacks[stack],
+                        &mut paths[index],
+                    )
                 };
                 *place = self.next_lane(isa, &tree, rays, stack, &mut next, paths, slots);
                 left -= usize::from(place.is_none());
@@ -375,16 +386,16 @@ impl Exact {
     /// The next ray that is for the first stage; those before it are answered.
     #[inline(always)]
     #[expect(clippy::too_many_arguments, reason = "all that a block has")]
-    fn next_lane<I: Isa, const ANY: bool>(
+    fn next_lane<'a, I: Isa, const ANY: bool>(
         &self,
         isa: I,
-        tree: &Walked<'_>,
-        rays: &[Ray],
+        tree: &Walked<'a>,
+        rays: &'a [Ray],
         stack: usize,
         next: &mut usize,
         paths: &mut [Path],
         slots: &mut [u32],
-    ) -> Option<Lane<I, ANY>> {
+    ) -> Option<Lane<'a, I, ANY>> {
         while let Some(ray) = rays.get(*next) {
             let index = *next;
             *next += 1;

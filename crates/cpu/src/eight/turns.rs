@@ -4,16 +4,17 @@
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use std::time::Instant;
 
-use rayproof_scene::{Kind, Ray, Sphere};
+use rayproof_scene::{Kind, Ray};
 use rayproof_tree::LEAF;
 
 use super::isa::Isa;
 use super::node::{EightRay, child_keys};
+use super::spot::OnTheSpot;
 use super::walk::{DONE, Walked, descend, pop};
+use crate::primitives::Primitives;
 use crate::twin::bvh::slab::{FARTHEST, UnitDirection, box_ray, unit_direction};
 use crate::twin::bvh::traverse::{Found as _, Stack, box_reach};
 use crate::twin::exact::leaf::TakeLeaf as _;
-use crate::twin::exact::leaf::nearest::Nearest;
 use crate::twin::exact::ray::{FirstRay, prepared_ray};
 
 /// How many take turns. Two or four gain nothing, more do not fit the nearest cache.
@@ -21,12 +22,12 @@ pub(super) const LANES: usize = 8;
 
 /// A ray on its way.
 #[derive(Clone, Copy)]
-pub(super) struct Lane<I: Isa, const ANY: bool> {
+pub(super) struct Lane<'a, I: Isa, const ANY: bool> {
     /// The ray's place in its block.
     pub(super) index: usize,
     pub(super) first: FirstRay,
     pub(super) unit: UnitDirection,
-    pub(super) found: Nearest<ANY>,
+    pub(super) found: OnTheSpot<'a, ANY>,
     /// Which stack is its own.
     pub(super) stack: usize,
     boxes: EightRay<I>,
@@ -35,10 +36,10 @@ pub(super) struct Lane<I: Isa, const ANY: bool> {
     top: usize,
 }
 
-impl<I: Isa, const ANY: bool> Lane<I, ANY> {
+impl<'a, I: Isa, const ANY: bool> Lane<'a, I, ANY> {
     /// A ray at the root; none where it is not for the first stage.
     #[inline(always)]
-    pub(super) fn start(isa: I, tree: &Walked<'_>, index: usize, ray: &Ray, stack: usize) -> Option<Self> {
+    pub(super) fn start(isa: I, tree: &Walked<'a>, index: usize, ray: &'a Ray, stack: usize) -> Option<Self> {
         let unit = unit_direction(ray.direction);
         let first = prepared_ray(tree.params, ray, &unit);
         if !first.ordinary {
@@ -46,21 +47,14 @@ impl<I: Isa, const ANY: bool> Lane<I, ANY> {
         }
         let o = first.line.origin;
         let boxes = box_ray(tree.params, glam::Vec3A::new(o.x, o.y, o.z), unit.direction, first.t_min);
-        let found = Nearest::<ANY>::start(&first);
+        let found = OnTheSpot::<ANY>::start(tree.primitives, ray, unit.exponent, &first);
         let (boxes, s_max) = (EightRay::new(isa, &boxes), box_reach(&found, 0));
         Some(Self { index, first, unit, found, stack, boxes, s_max, current: 0, top: 0 })
     }
 
     /// Goes to one node or one leaf, and brings the next nearer; whether the ray is done.
     #[inline(always)]
-    pub(super) fn step(
-        &mut self,
-        isa: I,
-        tree: &Walked<'_>,
-        spheres: &[Sphere],
-        stack: &mut Stack,
-        kind: impl Fn(u32) -> Kind,
-    ) -> bool {
+    pub(super) fn step(&mut self, isa: I, tree: &Walked<'_>, stack: &mut Stack, kind: impl Fn(u32) -> Kind) -> bool {
         if self.top == 0 {
             stack[0] = (-FARTHEST, DONE);
             self.top = 1;
@@ -71,7 +65,8 @@ impl<I: Isa, const ANY: bool> Lane<I, ANY> {
             self.current = descend(isa, tree, node, met, stack, &mut self.top, self.s_max);
         } else {
             let word = self.current;
-            self.found = self.found.take_leaf(kind(word), tree.leaves, spheres, &self.first, word);
+            let Primitives { leaves, spheres, .. } = tree.primitives;
+            self.found = self.found.take_leaf(kind(word), leaves, spheres, &self.first, word);
             if self.found.finished() {
                 return true;
             }

@@ -6,7 +6,7 @@ use rayproof_tree::LEAF;
 use super::isa::{Eight, Isa};
 use super::node::{EightNode, EightRay, Met, child_keys};
 use crate::branch::Branch as _;
-use crate::lanes::Triangles4;
+use crate::primitives::Primitives;
 use crate::twin::batch::Params;
 use crate::twin::bvh::slab::{FARTHEST, UnitDirection, box_ray};
 use crate::twin::bvh::traverse::{Found, PreparedRay, Stack, box_reach};
@@ -19,7 +19,7 @@ pub(super) const DONE: u32 = u32::MAX;
 pub(super) struct Walked<'a> {
     pub(super) params: &'a Params,
     pub(super) nodes: &'a [EightNode],
-    pub(super) leaves: &'a [Triangles4],
+    pub(super) primitives: &'a Primitives,
 }
 
 impl Walked<'_> {
@@ -28,7 +28,7 @@ impl Walked<'_> {
         if word < LEAF {
             return;
         }
-        if let (Kind::Triangle, Some(leaf)) = (leaf_kind(word), self.leaves.get(leaf_first(word))) {
+        if let (Kind::Triangle, Some(leaf)) = (leaf_kind(word), self.primitives.leaves.get(leaf_first(word))) {
             isa.prefetch(leaf);
         }
     }

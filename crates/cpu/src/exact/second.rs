@@ -105,6 +105,13 @@ impl SecondRay {
         Asked { line: &self.line, t_min: self.exact.t_min, t_max: self.exact.t_max }
     }
 
+    /// Where `f64` finds a primitive in range, certainly or not; `None` for a certain miss.
+    pub(crate) fn in_range(&self, shape: &Shape) -> Option<Candidate<f64>> {
+        let ExactRay { t_min, t_max, .. } = self.exact;
+        let found = self.asked().candidate(shape).filter(|found| !found.is_outside(t_min, t_max))?;
+        Some(Candidate { certain: found.is_inside(t_min, t_max), ..found })
+    }
+
     /// The line in sums of two `f64`, for one shape.
     pub(crate) fn twice(&self, shape: &Shape) -> Line<Two> {
         let (origin, direction) = (self.line.origin.map(Two::from), self.line.direction.map(Two::from));

@@ -32,6 +32,18 @@ impl<const ANY: bool> Nearest<ANY> {
         (ANY && self.slot != MISS) || self.high < self.doubt
     }
 
+    /// With a hit that is certain and closer than all so far.
+    #[inline(always)]
+    pub(crate) fn with(self, candidate: Candidate<f32>, slot: u32) -> Self {
+        Self { low: candidate.low, high: candidate.high, slot, doubt: self.doubt }
+    }
+
+    /// With one left open that is not hit before `low`.
+    #[inline(always)]
+    pub(crate) fn doubting(self, low: f32) -> Self {
+        Self { doubt: self.doubt.min(low), ..self }
+    }
+
     /// Between which `t` the hit lies, if there is one.
     pub(crate) fn window(&self) -> [f32; 2] {
         [self.low.min(self.doubt), self.high]
@@ -56,8 +68,8 @@ impl<const ANY: bool> Take for Nearest<ANY> {
             return self;
         }
         if candidate.is_inside(ray.t_min, ray.t_max) && (candidate.high < self.low || self.slot == MISS) {
-            return Self { low: candidate.low, high: candidate.high, slot: place, doubt: self.doubt };
+            return self.with(candidate, place);
         }
-        Self { doubt: self.doubt.min(candidate.low), ..self }
+        self.doubting(candidate.low)
     }
 }
