@@ -111,7 +111,9 @@ impl Engine {
             #[inline(always)]
             |ray, stack, path| self.exact_slot::<false>(ray, stack, path),
             #[inline(always)]
-            |ray, place, path| make(if place == MISS { FlatHit::MISS } else { self.round(ray, place, path) }),
+            |ray, place, path| {
+                make(if place == MISS { FlatHit::MISS } else { self.primitives.hit(ray, place, &mut path.doubts) })
+            },
         )
     }
 
@@ -157,7 +159,7 @@ impl Engine {
         let decide = |ray: &Ray, stack: &mut Stack, path: &mut Path| {
             let slot = self.exact_slot::<false>(ray, stack, path);
             if slot != MISS {
-                self.round(ray, slot, path);
+                self.primitives.hit(ray, slot, &mut path.doubts);
             }
             if path.doubts > 0 { 3 } else { 1 + u8::from(path.open) }
         };

@@ -1,13 +1,16 @@
 //! The primitives in the order of the tree's leaves, as each precision takes them.
 
 use rayon::prelude::*;
-use rayproof_scene::{Kind, Kinds, Sphere};
+use rayproof_scene::{FlatHit, Kind, Kinds, Ray, Sphere};
 use rayproof_tree::{Bvh, Child, Originals, PackedTriangle};
 
 use crate::branch::Branch;
 use crate::exact::resolve::Shape;
+use crate::exact::round;
+use crate::exact::second::SecondRay;
 use crate::lanes::Triangles4;
 use crate::pages::in_large_pages;
+use crate::twin::exact::line::takes_chords;
 use crate::twin::leaf::word::{place_index, place_kind};
 
 /// All primitives. The index in the place of a triangle is `4 leaf + lane`.
@@ -67,6 +70,14 @@ impl Primitives {
             Kind::Triangle => self.leaves[index >> 2].ids[index & 3],
             Kind::Sphere => self.sphere_ids[index],
         }
+    }
+
+    /// The hit of a ray and the primitive in a place, which is hit in range; `doubts` counts what only exact arithmetic could round.
+    #[inline(always)]
+    pub(crate) fn hit(&self, ray: &Ray, place: u32, doubts: &mut u32) -> FlatHit {
+        let ray = SecondRay::new(ray, self.scale, takes_chords(place_kind(place)));
+        let [t, u, v] = round(&ray, &self.shape(place), self.scale_exponent, doubts);
+        FlatHit { t, u, v, primitive: self.id(place) }
     }
 
     /// The primitive in a place, scaled, exactly.

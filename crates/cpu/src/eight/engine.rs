@@ -18,7 +18,6 @@ use super::walk::{Walked, traverse};
 #[cfg(feature = "measure")]
 use crate::branch::Branch as _;
 use crate::engine::{BLOCK, Path, task};
-use crate::exact::round;
 use crate::exact::second::{self, SecondNearest, SecondRay};
 use crate::primitives::Primitives;
 use crate::twin::batch::Params;
@@ -28,9 +27,8 @@ use crate::twin::bvh::traverse::{Found, PreparedRay, Stack, stack};
 use crate::twin::exact::leaf::TakeLeaf;
 use crate::twin::exact::leaf::crossings::Crossings;
 use crate::twin::exact::leaf::nearest::Nearest;
-use crate::twin::exact::line::takes_chords;
 use crate::twin::exact::ray::{FirstRay, prepared_ray};
-use crate::twin::leaf::word::{leaf_kind, place_kind};
+use crate::twin::leaf::word::leaf_kind;
 
 /// A scene ready for the precision `exact`, on all cores.
 #[derive(Clone, Debug)]
@@ -314,10 +312,7 @@ impl Exact {
     /// The closest hit of a ray that is not for the first stage.
     fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
-        let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
-        path.doubts += found.doubts;
-        found.slot()
+        second::slot::<ANY>(&self.nodes, &self.primitives, self.params.chords, ray, &mut path.doubts)
     }
 
     /// The places of the primitives that rays hit first, the rays in turns.
@@ -407,15 +402,6 @@ impl Exact {
         }
         None
     }
-
-    /// The hit of the primitive in a place, which is hit in range.
-    #[inline(always)]
-    fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> FlatHit {
-        let Primitives { scale, scale_exponent, .. } = *self.primitives;
-        let ray = SecondRay::new(ray, scale, takes_chords(place_kind(slot)));
-        let [t, u, v] = round(&ray, &self.primitives.shape(slot), scale_exponent, &mut path.doubts);
-        FlatHit { t, u, v, primitive: self.primitives.id(slot) }
-    }
 }
 
 struct AskClosest<'a, M>(&'a Exact, M);
@@ -442,7 +428,7 @@ impl<A: Send, M: Fn(FlatHit) -> A + Sync> Question for AskClosest<'_, M> {
     }
     #[inline(always)]
     fn finish(&self, ray: &Ray, slot: u32, path: &mut Path) -> A {
-        (self.1)(if slot == MISS { FlatHit::MISS } else { self.0.round(ray, slot, path) })
+        (self.1)(if slot == MISS { FlatHit::MISS } else { self.0.primitives.hit(ray, slot, &mut path.doubts) })
     }
 }
 
@@ -510,7 +496,7 @@ impl Question for AskStages<'_> {
     fn find<I: Isa>(&self, isa: I, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u8 {
         let slot = self.0.slot::<I, false>(isa, ray, stack, path);
         if slot != MISS {
-            self.0.round(ray, slot, path);
+            self.0.primitives.hit(ray, slot, &mut path.doubts);
         }
         if path.doubts > 0 { 3 } else { 1 + u8::from(path.open) }
     }

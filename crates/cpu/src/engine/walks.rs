@@ -3,7 +3,6 @@
 use rayproof_scene::{FlatHit, Kind, Ray};
 
 use super::{Engine, Path};
-use crate::exact::round;
 use crate::exact::second::{self, SecondNearest, SecondRay};
 use crate::formulas::Formulas;
 use crate::primitives::Primitives;
@@ -14,12 +13,11 @@ use crate::twin::exact;
 use crate::twin::exact::leaf::TakeLeaf as _;
 use crate::twin::exact::leaf::crossings::Crossings;
 use crate::twin::exact::leaf::nearest::Nearest;
-use crate::twin::exact::line::takes_chords;
 use crate::twin::exact::ray::FirstRay;
 use crate::twin::leaf::single::{Closest, SingleRay};
 use crate::twin::leaf::spheres::intersect_spheres;
 use crate::twin::leaf::triangles::intersect_triangles;
-use crate::twin::leaf::word::{leaf_kind, place_kind};
+use crate::twin::leaf::word::leaf_kind;
 
 impl Engine {
     /// The hit by the formulas of a precision other than `exact`.
@@ -90,15 +88,6 @@ impl Engine {
         }
     }
 
-    /// The hit of the primitive in a place, which is hit in range.
-    #[inline(always)]
-    pub(super) fn round(&self, ray: &Ray, slot: u32, path: &mut Path) -> FlatHit {
-        let Primitives { scale, scale_exponent, .. } = *self.primitives;
-        let ray = SecondRay::new(ray, scale, takes_chords(place_kind(slot)));
-        let [t, u, v] = round(&ray, &self.primitives.shape(slot), scale_exponent, &mut path.doubts);
-        FlatHit { t, u, v, primitive: self.primitives.id(slot) }
-    }
-
     /// The place of the primitive that is hit first.
     #[inline(always)]
     pub(super) fn exact_slot<const ANY: bool>(&self, ray: &Ray, stack: &mut Stack, path: &mut Path) -> u32 {
@@ -146,10 +135,7 @@ impl Engine {
     /// The closest hit of a ray that is not for the first stage.
     fn second_slot<const ANY: bool>(&self, ray: &Ray, path: &mut Path) -> u32 {
         path.open = true;
-        let ray = SecondRay::new(ray, self.primitives.scale, self.params.chords);
-        let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(&self.nodes, &self.primitives, &ray);
-        path.doubts += found.doubts;
-        found.slot()
+        second::slot::<ANY>(&self.nodes, &self.primitives, self.params.chords, ray, &mut path.doubts)
     }
 
     #[inline(always)]

@@ -242,6 +242,20 @@ fn goes_first(primitives: &Primitives, ray: &SecondRay, found: &Winner, before: 
     }
 }
 
+/// The place of the primitive that is hit first, by a walk in `f64`.
+pub(crate) fn slot<const ANY: bool>(
+    nodes: &[impl Branch],
+    primitives: &Primitives,
+    chords: bool,
+    ray: &Ray,
+    doubts: &mut u32,
+) -> u32 {
+    let ray = SecondRay::new(ray, primitives.scale, chords);
+    let found = SecondNearest::<ANY>::start(f32::INFINITY, 1.0).all(nodes, primitives, &ray);
+    *doubts += found.doubts;
+    found.slot()
+}
+
 /// How often the surface is crossed.
 pub(crate) fn count(nodes: &[impl Branch], primitives: &Primitives, ray: &SecondRay, doubts: &mut u32) -> u32 {
     let mut count = 0;
